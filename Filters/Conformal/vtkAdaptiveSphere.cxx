@@ -32,7 +32,7 @@ vtkStandardNewMacro(vtkAdaptiveSphere);
 
 namespace
 {
-// A surface, and the cells that its triangles come from.
+// Mapped surface, with the id of the input's cell for each triangle.
 struct Surface : conformal::MappedMesh
 {
   std::vector<vtkIdType> CellIds;
@@ -55,7 +55,7 @@ Surface ToSurface(vtkPolyData* input)
   return surface;
 }
 
-// The numbers of an array of densities, divided by the maximum one.
+// Return the values of an array of densities, divided by their maximum.
 std::vector<double> NumbersOf(vtkDataArray* array, const std::string& name)
 {
   if (array->GetNumberOfComponents() != 1)
@@ -106,7 +106,8 @@ std::vector<double> WeightsOfArray(
   return conformal::vertexMeans(surface, ofTriangles);
 }
 
-// Give half of the points to the details of an image; an image of one color has none.
+// Change a density so that half of the points are distributed by the gradient of an image. If the
+// image has only one color, the density is not changed.
 conformal::SphereDensity WithDetails(
   conformal::SphereDensity density, vtkPolyData* surface, vtkImageData* image)
 {
@@ -126,7 +127,8 @@ conformal::SphereDensity WithDetails(
     std::move(density), glue::ToPicture(image, pixels), layout, glue::SMPRun());
 }
 
-// Weights of the surface's points: 1, or by an array or the curvature.
+// Compute the density at each point of the surface: 1 everywhere, the values of an array, or by
+// curvature.
 std::vector<double> WeightsOf(
   vtkPolyData* input, const Surface& surface, int density, const std::string& arrayName)
 {
@@ -169,7 +171,7 @@ int vtkAdaptiveSphere::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-// All of the picture.
+// Request the whole picture, since the density depends on all pixels.
 int vtkAdaptiveSphere::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -200,7 +202,7 @@ int vtkAdaptiveSphere::RequestData(
       {
         return;
       }
-      // Reading, density of the surface, density of the image, mesh, output.
+      // Relative costs of reading, density of the surface, density of the image, mesh and output.
       conformal::Steps steps(glue::RunOf(this), { 0.01, 0.08, 0.04, 0.86, 0.01 });
       steps.next();
       const Surface surface = ToSurface(input);

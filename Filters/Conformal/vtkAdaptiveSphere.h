@@ -2,37 +2,40 @@
  * @class   vtkAdaptiveSphere
  * @brief   make a mesh of the sphere that is dense where a surface or a picture needs it
  *
- * Make a closed mesh of the unit sphere with a given number of points. Points are dense where a
- * surface that is mapped to the sphere needs them, and no angle is below 28 degrees. Connect the
- * mesh as the Sphere of a vtkCurvedSeamlessSurface to control where the surface gets its points.
+ * Make a closed triangle mesh of the unit sphere with a given number of points. The density of the
+ * points is defined by a surface that is mapped to the sphere, or by a picture, see Density. No
+ * angle of a triangle is below 28 degrees. To control where vtkCurvedSeamlessSurface places the
+ * points of a surface, connect this mesh to the input Sphere of that filter.
  *
  * Input port 0: vtkPolyData, a surface with a map to the sphere. Polygons and strips are cut into
  * triangles.
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
  *   sphere. The map must cover the sphere exactly once.
- * - a point or cell array of 1 component with the name DensityArrayName, with Density ARRAY.
- * - field data of vtkSphericalTextureMap (optional), with Density IMAGE: how the image is laid on
- *   the sphere. Without them the image is one of longitude and latitude, with its middle in
- *   direction (0, 0, 1) and its top edge towards (0, 1, 0).
+ * - point or cell array with the name DensityArrayName (1 component), required if Density is ARRAY.
+ * - field data of vtkSphericalTextureMap (optional), used if Density is IMAGE: placement of the
+ *   picture on the sphere. Without these field data, the columns of the picture are longitudes, and
+ *   its rows are latitudes. The middle of the picture is then in direction (0, 0, 1), and its top
+ *   edge is towards (0, 1, 0).
  *
- * Input port 1 (optional): vtkImageData, one slice of point scalars with any number of components.
- * Density IMAGE needs it.
+ * Input port 1 (optional): vtkImageData, the picture: one slice of point scalars with any number of
+ * components. The picture is required if Density is IMAGE.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh of the unit sphere around the origin. It has
- * NumberOfPoints points within 2 percent; its triangles are counter-clockwise seen from outside. No
- * angle is below 28 degrees for any density. The same input gives the same bits on any number of
- * threads.
+ * Output port 0: vtkPolyData, a closed triangle mesh of the unit sphere around the origin. Its
+ * number of points differs from NumberOfPoints by at most 2 percent. Triangles are
+ * counter-clockwise seen from outside. No angle is below 28 degrees for any density. The output is
+ * equal bit by bit for any number of threads.
  * - point array "SpherePosition" (double, 3 components): the point itself, as a unit vector.
  *
- * On input port 1 of vtkCurvedSeamlessSurface, the mesh gives the directions in which a surface is
- * sampled. It is N^new of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on
- * curved seamless surface", Neurocomputing 71 (2008). The paper suggests dense vertices in an area
- * with fine texture. The mesh is independent of the triangles of the surface.
+ * On input port 1 of vtkCurvedSeamlessSurface, the mesh defines the directions in which a surface
+ * is sampled. This mesh is called N^new in C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). The paper suggests
+ * dense vertices in an area with fine texture. The triangles of the mesh do not depend on the
+ * triangles of the surface.
  *
- * Implementation note: Delaunay refinement after L. P. Chew, "Guaranteed-quality mesh generation
- * for curved surfaces", Symposium on Computational Geometry (1993). The triangle that is largest
- * relative to the wanted density is refined first, until the number is reached. A final smoothing
- * keeps the bound of the angles.
+ * Implementation note: the mesh is made by the Delaunay refinement of L. P. Chew,
+ * "Guaranteed-quality mesh generation for curved surfaces", Symposium on Computational Geometry
+ * (1993). The triangle that is largest relative to the density is always refined next, until the
+ * number of points is reached. The final smoothing keeps all angles at 28 degrees or more.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkGeodesicSphereSource vtkSphericalTextureMap
@@ -66,15 +69,15 @@ public:
 
   ///@{
   /**
-   * Density of the points. AREA (default): uniform over the surface. CURVATURE: half of the points
-   * in proportion to the curvature of the surface. ARRAY: in proportion to an array, as points per
-   * area of the surface; only ratios matter. IMAGE: half of the points in proportion to the
-   * gradient of the picture on input port 1.
+   * Density of the points. AREA (default): uniform over the surface on input port 0. CURVATURE:
+   * half of the points are distributed in proportion to the curvature of the surface. ARRAY: points
+   * per area of the surface are proportional to the array DensityArrayName. IMAGE: half of the
+   * points are distributed in proportion to the gradient of the picture on input port 1.
    *
-   * AREA is inversely proportional to the area scale of the map. CURVATURE and IMAGE distribute the
-   * other half of the points uniformly over the surface. Curvature is measured by the sum of the
-   * absolute principal curvatures. The gradient of the picture is taken with respect to the
-   * direction on the sphere.
+   * With AREA, the density on the sphere is inversely proportional to the factor by which the map
+   * enlarges areas. CURVATURE and IMAGE distribute the other half of the points uniformly over the
+   * surface. Curvature is the sum of the absolute principal curvatures. The gradient of the picture
+   * is its derivative along the sphere.
    */
   vtkSetClampMacro(Density, int, AREA, IMAGE);
   vtkGetMacro(Density, int);
@@ -86,9 +89,10 @@ public:
 
   ///@{
   /**
-   * ARRAY: name of a point array, or else of a cell array, with 1 component. Values must be finite
-   * and not negative, with at least one above 0. Where the value is 0 there are as few points as
-   * the angles allow. Default is empty.
+   * ARRAY: name of the array of densities, with 1 component. If there is no point array of this
+   * name, the cell array of this name is used. Values must be finite and at least 0, with at least
+   * one above 0. Where the value is 0, the mesh has as few points as the bound on the angles
+   * allows. Default is empty.
    */
   vtkSetMacro(DensityArrayName, std::string);
   vtkGetMacro(DensityArrayName, std::string);
@@ -96,20 +100,20 @@ public:
 
   ///@{
   /**
-   * Number of points of the mesh, reached within 2 percent. In [500, 100000000]. Default is 64,002,
-   * as many as a geodesic sphere of frequency 80.
+   * Number of points of the mesh. The actual number differs by at most 2 percent. In [500,
+   * 100000000]. Default is 64,002, the number of points of a geodesic sphere of frequency 80.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);
   ///@}
 
   /**
-   * The picture of Density IMAGE: one slice.
+   * Set the picture for Density IMAGE: one slice of point scalars.
    */
   void SetImageConnection(vtkAlgorithmOutput* output);
 
   /**
-   * Set the picture of Density IMAGE without a pipeline connection.
+   * Set the picture for Density IMAGE without a pipeline connection.
    */
   void SetImageData(vtkImageData* image);
 

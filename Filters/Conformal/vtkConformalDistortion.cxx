@@ -21,7 +21,8 @@ vtkStandardNewMacro(vtkConformalDistortion);
 
 namespace
 {
-// Mean over the triangles of each cell; cells without triangles keep the value of no distortion.
+// Compute, for each cell, the mean over its triangles. Cells without triangles get the value that
+// means no distortion.
 std::vector<double> OfCells(vtkIdType numberOfCells, const std::vector<vtkIdType>& cellIds,
   const std::vector<double>& ofTriangles, double none)
 {
@@ -66,7 +67,7 @@ int vtkConformalDistortion::RequestData(
       {
         return;
       }
-      // For each triangle.
+      // Relative costs of the steps, all proportional to the number of triangles.
       conformal::Steps steps(glue::RunOf(this), { 0.1, 0.03, 0.81, 0.02, 0.02, 0.02 });
       steps.next();
       std::vector<vtkIdType> cellIds;

@@ -2,36 +2,43 @@
  * @class   vtkConformalDistortion
  * @brief   measure the angle and area distortion of a surface's map to the sphere
  *
- * Add the cell arrays AngleDistortion (degrees; 0 means none), AreaDistortion (logarithm; 0 means
- * none) and QuasiConformalError (1 means none). The field data hold their means, and the number of
- * flipped triangles.
+ * Measure how much each triangle of a surface is distorted by the surface's map to the sphere. The
+ * cell arrays are AngleDistortion (degrees; 0 means none), AreaDistortion (logarithm; 0 means none)
+ * and QuasiConformalError (1 means none). The field data hold mean values over the surface, and the
+ * number of flipped triangles.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
- * Polygons and strips are treated as triangles; the value of a polygon is the mean over its
+ * Polygons and strips are treated as triangles. The value of a polygon is the mean over its
  * triangles.
  *
- * Output port 0: the input, with cell arrays (double, 1 component). Lines, vertices and triangles
- * without area on the surface or the sphere get the value of no distortion.
+ * Output port 0: the input, with cell arrays (double, 1 component). Lines and vertices get the
+ * value that means no distortion. So do triangles that have no area on the surface or on the
+ * sphere.
  * - "AngleDistortion": mean absolute difference between the angles of a triangle on the surface and
  *   on the sphere, in degrees. 0 means none.
- * - "AreaDistortion": logarithm of a triangle's fraction of the sphere's area, divided by its
- *   fraction of the surface's area. 0 means none.
- * - "QuasiConformalError": ratio of the largest to the smallest stretch of lengths. 1 means none.
+ * - "AreaDistortion": natural logarithm of the ratio a / b. Here a is the triangle's fraction of
+ *   the area of the sphere, and b is its fraction of the area of the surface. 0 means none.
+ * - "QuasiConformalError": largest factor by which the map scales a length in the triangle, divided
+ *   by the smallest factor. 1 means none.
  *
- * Field data (one value), over the triangles that have an area on both:
- * - "MeanAngleDistortion", "MeanQuasiConformalError" (double).
+ * Field data (one value each), computed over the triangles that have an area both on the surface
+ * and on the sphere:
+ * - "MeanAngleDistortion", "MeanQuasiConformalError" (double): means of the cell arrays.
  * - "AreaDistortionDeviation" (double): standard deviation of AreaDistortion.
- * - "SphereDegree" (double): how often the triangles cover the sphere, 1 for a proper map. Negative
- *   if the triangles are clockwise on the sphere: -1 for a map that mirrors, and for a surface
- *   oriented inward.
- * - "NumberOfFlippedTriangles" (vtkIdType): triangles on the sphere that are flat, or oriented
- *   against most of the sphere's area. 0 for a map that mirrors all of them.
- * - "NumberOfZeroAreaTriangles" (vtkIdType): triangles without area, which are left out.
+ * - "SphereDegree" (double): number of times that the triangles cover the sphere; 1 for a valid
+ *   map. The number is negative if the triangles are clockwise on the sphere. For example, the
+ *   number is -1 for a valid map that mirrors the surface, and for a surface that is oriented
+ *   inward.
+ * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles that have no area on the sphere, or
+ *   whose orientation there is opposite to that of the majority, by area. If a map mirrors all
+ *   triangles, this number is 0.
+ * - "NumberOfZeroAreaTriangles" (vtkIdType): number of triangles without area, which are left out
+ *   of the means.
  *
- * Triangles on the sphere are treated as flat, between the positions of their corners. Sections 2
- * and 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless
- * surface", Neurocomputing 71 (2008), assume that the map to the sphere is conformal. These figures
- * measure to which degree it is.
+ * A triangle on the sphere is treated as the flat triangle between the positions of its corners.
+ * Sections 2 and 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
+ * seamless surface", Neurocomputing 71 (2008), assume that the map to the sphere is conformal. The
+ * values of this filter measure how nearly conformal a map is.
  *
  * @sa
  * vtkConformalSOM vtkCurvedSeamlessSurface vtkSurfaceMismatch vtkGenusZeroCheck

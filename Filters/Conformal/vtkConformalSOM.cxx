@@ -38,7 +38,7 @@ vtkCxxSetObjectMacro(vtkConformalSOM, Controller, vtkMultiProcessController);
 
 namespace
 {
-// Read the properties.
+// Convert the properties of the filter to options of the learner.
 // @param[out] stages  filled by the learner with GenerateStages; must outlive the options
 conformal::ConformalSOMOptions OptionsOf(
   vtkConformalSOM* self, std::vector<conformal::LearningStage>& stages)
@@ -67,7 +67,7 @@ conformal::ConformalSOMOptions OptionsOf(
   return options;
 }
 
-// The priorities of this process's points, none where it has no points.
+// Return the priorities of the points of this process. The view is empty if there are no points.
 conformal::NumberView ViewPriorities(
   vtkPointSet* input, const std::string& name, std::vector<double>& copy)
 {
@@ -83,7 +83,7 @@ conformal::NumberView ViewPriorities(
   return glue::ViewNumbers(array, copy);
 }
 
-// How many priorities are no use as weights, on all processes.
+// Count, over all processes, the priorities that are negative or not finite.
 vtkIdType CountUnusable(
   const conformal::NumberView& priorities, const std::string& name, const conformal::Reduce& reduce)
 {
@@ -112,8 +112,9 @@ bool MayStartFromMesh(const conformal::ConformalSOMOptions& options)
       options.StartingShape == StartingShape::Mesh);
 }
 
-// The input's own triangles, on all processes, as a mesh to start from; an empty one where they are
-// not to be used. StartingShape Automatic takes them if they are a surface of all samples.
+// Return the input's triangles as a mesh from which learning starts, equal on all processes. The
+// mesh is empty if learning must not start from these triangles. With StartingShape Automatic, they
+// are used only if they form a closed surface through all samples.
 conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool must,
   const conformal::TrainingSamples& samples, const conformal::CoordinateFrame& frame,
   glue::Processes& processes, const conformal::Run& run)
@@ -151,8 +152,8 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
   return glue::GatherMesh(reduce, own);
 }
 
-// The mesh on input port 1, or else the input's own triangles if learning may start from them; an
-// empty mesh if there is neither.
+// Return the mesh from which learning starts: the mesh on input port 1 or, without this mesh, the
+// input's triangles. The mesh is empty if learning starts from neither.
 conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vtkPolyData* start,
   const conformal::ConformalSOMOptions& options, const conformal::TrainingSamples& samples,
   const conformal::CoordinateFrame& frame, glue::Processes& processes, const conformal::Run& run)
@@ -169,7 +170,7 @@ conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vt
   return OwnMesh(self, input, must, samples, frame, processes, run);
 }
 
-// Give samples the normals of the input; online learning uses none.
+// Set the normals of the samples to those of the input. Online learning does not use normals.
 void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::ConformalSOMOptions& options, conformal::TrainingSamples& samples,
   glue::CloudNormals& normals)
@@ -180,7 +181,7 @@ void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   }
 }
 
-// Warn of defects of the points.
+// Warn of defects of the input's points.
 void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable)
 {
   if (unusable > 0)
@@ -206,7 +207,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
   }
 }
 
-// What is wrong with the mesh, and what to do about it.
+// Warn of defects of the mesh, and recommend remedies.
 void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
 {
   using Tolerated = conformal::ToleratedQuality;
@@ -225,7 +226,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
                "its sides lie on them: too little of the object is sampled. Provide normals, or "
                "add points where there are none");
   }
-  // A geodesic mesh of few neurons has some folds where limbs meet.
+  // Twice the tolerance, since a geodesic mesh of few neurons has some folds where limbs join.
   if (quality.FoldedFraction > 2.0 * Tolerated::FoldedFraction)
   {
     vtkWarningWithObjectMacro(
@@ -235,11 +236,11 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
   }
 }
 
-// Warn of defects of the result, and of the points where the result shows them.
+// Warn of defects of the result, and of defects of the points that learning has detected.
 void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples)
 {
-  // Where noise is as large, the hull has handles by chance.
+  // If the noise is above muchNoise, handles of the hull may be caused by noise.
   constexpr double muchNoise = 0.01, manyUndersampled = 0.05;
   const vtkIdType size = samples.totalSize();
   if (result.HullLeaks)
@@ -325,7 +326,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "VertexShift", vertexShift);
 }
 
-// Learn the mesh, and warn of its faults.
+// Learn the mesh, and warn of its defects on the first process.
 conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
   const conformal::MappedMesh& start, const glue::Processes& processes, const conformal::Run& run)
@@ -340,7 +341,7 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
   return result;
 }
 
-// The output, alike on all ranks, in two steps: errors and vertex shift.
+// Make the output surface, equal on all ranks, in two steps: quantization errors and vertex shift.
 vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
   const conformal::CoordinateFrame& frame, conformal::Steps& steps)
@@ -379,13 +380,14 @@ void FillHistory(vtkTable* table, const std::vector<conformal::TrainingRecord>& 
   addColumn("MeanDisplacement", [](const Record& r) { return r.MeanDisplacement; });
 }
 
-// Set the outputs of the first rank beside the surface: training history and stages.
+// Set output ports 1 and 2, the training history and the stages. They are empty on all ranks but
+// the first.
 void SetRecords(vtkInformationVector* outputs, const conformal::ConformalSOMResult& result,
   const std::vector<conformal::LearningStage>& stages, const conformal::CoordinateFrame& frame,
   bool isFirst)
 {
   vtkMultiBlockDataSet* blocks = vtkMultiBlockDataSet::GetData(outputs, 2);
-  glue::SetStages(blocks, stages, frame); // on all ranks, so that an error is one of all
+  glue::SetStages(blocks, stages, frame); // on all ranks, which all report an error
   if (!isFirst)
   {
     blocks->Initialize();

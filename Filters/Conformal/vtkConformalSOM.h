@@ -2,100 +2,116 @@
  * @class   vtkConformalSOM
  * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
  *
- * Learn a closed triangle mesh, with a one-to-one map to the sphere, from points alone: the
- * conformal self-organizing map of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008).
- * The point array "SpherePosition" of the mesh holds the position of each point on the sphere. The
- * second output is a table of the training history, for a line chart.
+ * Learn a closed triangle mesh with a one-to-one map to the sphere. Only points are needed. The
+ * method is the conformal self-organizing map (CSM) of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * Neurocomputing 71 (2008). The point array "SpherePosition" of the mesh holds the position of each
+ * point on the sphere. The second output is a table of the training history, for a line chart.
  *
- * Input port 0: vtkPointSet, points in any order. Polygons can serve as a starting shape, see
- * StartingShape; other cells are ignored. Points with non-finite coordinates are left out with a
- * warning. Hidden and duplicate ghost points are left out silently.
+ * Input port 0: vtkPointSet, points in any sequence. Polygons can serve as the surface from which
+ * learning starts, see StartingShape. Other cells are ignored. Points with non-finite coordinates
+ * are left out with a warning. Hidden and duplicate ghost points are left out silently.
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
- * "SpherePosition". An adaptive mesh is learned from it instead of from StartingShape; ONLINE
- * learning starts from it instead of from the sphere. Its distance from the center of the points
- * must not exceed 4 times that of the points. For points in a plane it is used only if MeshType is
- * ADAPTIVE.
+ * "SpherePosition". If this mesh is present, an adaptive mesh (see MeshType) is learned from it,
+ * and StartingShape is ignored. ONLINE learning then also starts from this mesh, instead of from
+ * the sphere. For BATCH learning of a geodesic mesh, this input is an error. Let R be the largest
+ * distance of an input point from the center of the input points. No coordinate of this mesh,
+ * relative to that center, may exceed 4 R in magnitude. If all input points lie in a plane, this
+ * mesh is used only if MeshType is ADAPTIVE.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh through the points, in their coordinates,
- * double precision. An adaptive mesh has NumberOfNeurons points and 2 NumberOfNeurons - 4
- * triangles. A geodesic mesh has 10 f^2 + 2 points and 20 f^2 triangles, with the f that comes
+ * Output port 0: vtkPolyData, a closed triangle mesh through the points, in the coordinates of the
+ * input, double precision. The points of the mesh are the neurons of the self-organizing map. An
+ * adaptive mesh has NumberOfNeurons points and 2 NumberOfNeurons - 4 triangles. A geodesic mesh has
+ * 10 f^2 + 2 points and 20 f^2 triangles. The integer f is chosen so that the number of points is
  * nearest to NumberOfNeurons.
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
- *   For a geodesic mesh it is the position vector n_i of the neuron; for an adaptive mesh it is a
- *   conformal map. vtkGlobalConformalMap computes other maps, such as one with more area for limbs
- *   (AreaBalance).
+ *   For a geodesic mesh, it is the position vector n_i of the neuron in the paper. For an adaptive
+ *   mesh, it is the image of the point under a conformal map. vtkGlobalConformalMap computes other
+ *   maps, for example a map with more area for limbs (AreaBalance).
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
- *   to 0 over holes of the scan. vtkCurvedSeamlessSurface interpolates it.
+ *   to 0 over holes in the data. vtkCurvedSeamlessSurface interpolates this array.
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
- *   neuron and the input points assigned to it; 0 without points. Of a large cloud, 12 points for
- *   each neuron are used.
- * - field data "AffineRank" (1 value): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0
- *   for equal points. Below 3 the mesh is valid but flat, and there is a warning.
- * - field data "UnsupportedFraction" (1 value): fraction of the mesh's area without points nearby:
- *   hole fillings, and webs (spurious membranes) between limbs. 0 in Online mode.
- * - field data "UncoveredFraction" (1 value): fraction of the points, weighted by area, that lie
- *   close to each other but far from the mesh.
- * - field data "InvertedFraction" (1 value): fraction of the points, weighted by area, at which
- *   normals or winding numbers show that the mesh faces the wrong way. Points on which two sides of
- *   the mesh lie count, too.
- * - field data "FoldedFraction" (1 value): fraction of the mesh's edges with a bend of more than
- *   150 degrees.
- * - field data "UndersampledFraction" (1 value): fraction of the points, weighted by area, that are
- *   too few for the shape: farther than 2 % of the largest radius from the plane of their eight
- *   nearest neighbors.
- * - field data "LayerDistance" (1 value): distance between two layers of points, as in badly
- *   registered scans, in the points' unit; 0 for one layer.
- * - field data "AreaRatio" (1 value): area of the mesh, divided by that of the surface before the
- *   fit. A value well above 1 means that the mesh is crumpled.
- * - field data "NoiseLevel" (1 value): estimated standard deviation of the noise, in the points'
- *   unit; 0 where detail explains the distances between points and mesh. In Online mode it is 0,
- *   and so are all fractions; AreaRatio is 1. Each bad value causes a warning.
- * - field data "StartedFromHull" (1 value): 1 if the mesh was learned from a hull.
- * - field data "StartedFromMesh" (1 value): 1 if the mesh was learned from a mesh: the input's own
- *   polygons or the mesh on input port 1.
- * - field data "HullMethod" (1 value): method of that hull, DISTANCE or WINDING_NUMBERS; 0 without
- *   a hull.
- * - field data "NormalsUsed" (1 value): 1 if winding numbers used normals of the input.
- * - field data "NumberOfStarts" (1 value): number of starts that were tried. The best mesh is kept.
- * - field data "VertexShift" (1 value): fraction by which vtkCurvedSeamlessSurface moves the
- *   vertices so that curved triangles keep the volume of the fitted flat ones; 0 if the mesh was
- *   not fitted.
- * - with DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType),
- *   the active global ids.
+ *   neuron and the input points assigned to this neuron; 0 if no points are assigned. If the input
+ *   has more than 12 points for each neuron, the error is computed from a selection of that size.
+ * - field data "AffineRank" (1 value): dimension of the space that the points span. It is 3 in
+ *   general, 2 for points in a plane, 1 for points on a line, and 0 for equal points. If it is
+ *   below 3, the mesh is valid but flat, and there is a warning.
+ * - field data "UnsupportedFraction" (1 value): fraction of the mesh's area without input points
+ *   nearby. This area consists of hole fillings, and of webs (spurious membranes) between limbs.
+ *   The value is 0 in Online mode.
+ * - field data "UncoveredFraction" (1 value): fraction of the input points, weighted by area, that
+ *   are far from the mesh. Outliers, which are far from all other points, are not counted.
+ * - field data "InvertedFraction" (1 value): fraction of the input points, weighted by area, at
+ *   which normals or winding numbers show that the mesh faces the wrong way. Points at which two
+ *   opposite layers of the mesh coincide are also counted.
+ * - field data "FoldedFraction" (1 value): fraction of the mesh's edges at which the normals of
+ *   both triangles differ by more than 150 degrees.
+ * - field data "UndersampledFraction" (1 value): fraction of the input points, weighted by area, in
+ *   regions with too few points for the shape. Let R be the largest distance of a point from the
+ *   centroid. A point is counted if it is farther than 0.02 R from the plane of its eight nearest
+ *   neighbors.
+ * - field data "LayerDistance" (1 value): distance between two layers of input points, as in badly
+ *   registered scans, in the unit of the coordinates; 0 if the points form one layer.
+ * - field data "AreaRatio" (1 value): area of the mesh, divided by the area of the surface before
+ *   the least-squares fit. A value well above 1 means that the mesh is crumpled.
+ * - field data "NoiseLevel" (1 value): estimated standard deviation of the noise, in the unit of
+ *   the coordinates. It is 0 if details of the object explain the distances between points and
+ *   mesh. In Online mode, NoiseLevel and all fractions are 0, and AreaRatio is 1. Each bad value
+ *   causes a warning.
+ * - field data "StartedFromHull" (1 value): 1 if the mesh was learned from a hull, a closed surface
+ *   around the points (vtkGenusZeroHull).
+ * - field data "StartedFromMesh" (1 value): 1 if the mesh was learned from the polygons of the
+ *   input or from the mesh on input port 1.
+ * - field data "HullMethod" (1 value): value of the property HullMethod by which the hull was made,
+ *   DISTANCE or WINDING_NUMBERS; 0 if there was no hull.
+ * - field data "NormalsUsed" (1 value): 1 if the winding numbers for the hull were computed with
+ *   normals of the input.
+ * - field data "NumberOfStarts" (1 value): number of surfaces from which learning was started:
+ *   sphere, hull or mesh. The best result is kept.
+ * - field data "VertexShift" (1 value): suitable value of the property VertexShift of
+ *   vtkCurvedSeamlessSurface. That filter shifts the vertices by this factor before it replaces the
+ *   flat triangles by curved triangles. A value of 1 keeps the enclosed volume. The value is 0 if
+ *   the mesh was not fitted.
+ * - point array "GlobalPointIds" and cell array "GlobalCellIds" (vtkIdType), only with
+ *   DistributeOutput: the active global ids.
  *
- * Output port 1: vtkTable, on the first process, with one row for each epoch (Online), pass (Batch)
- * or iteration of the fit. Column "Frequency" belongs to the geodesic sphere with about as many
- * triangles. "NeighborhoodRadius" is sigma(t) on the unit sphere, "LearningRate" is alpha(t).
- * "MeanSquareError" is that of the presented points to the mesh; "MeanDisplacement" is that of the
- * neurons. Both are in the unit of training, in which the cloud's largest distance from its
- * centroid is 1.
+ * Output port 1: vtkTable, on the first process, with one row for each epoch (Online), pass over
+ * the points (Batch) or iteration of the fit. Column "Frequency" is the frequency of the geodesic
+ * sphere that has about as many triangles as the mesh. "NeighborhoodRadius" is sigma(t) on the unit
+ * sphere, and "LearningRate" is alpha(t), see OnlineConstants. "MeanSquareError" is the mean square
+ * distance between the points used in the step and the mesh. "MeanDisplacement" is the mean
+ * distance by which the neurons moved. In the last two columns, the unit of length is the largest
+ * distance of an input point from the centroid of the points.
  *
- * Output port 2: vtkMultiBlockDataSet, empty without GenerateStages: the surfaces that learning
- * goes through, on the first process. The name of a block consists of the number of the start,
- * from 1 and with abandoned starts counted, the start and the stage, such as "1 sphere: level 4"
- * or "2 hull: fit". The last block, "kept", is the result. Each block is a vtkPolyData with the
- * field data "StartNumber", "DefectScore" (above 1 the surface is bad), "UncoveredFraction",
- * "InvertedFraction" and "FoldedFraction"; these are 0 Online.
+ * Output port 2: vtkMultiBlockDataSet, the intermediate surfaces of learning, on the first process.
+ * The output is empty without GenerateStages. The name of a block consists of the number of the
+ * start, the start, and the stage, such as "1 sphere: level 4" or "2 hull: fit". The start is the
+ * surface from which learning began. The first start has number 1, and abandoned starts are also
+ * counted. The last block, "kept", is the result. Each block is a vtkPolyData with the field data
+ * "StartNumber", "DefectScore", "UncoveredFraction", "InvertedFraction" and "FoldedFraction". A
+ * surface with a DefectScore above 1 is bad. In Online mode, score and fractions are 0.
  *
- * Neurons on a geodesic sphere learn weight vectors in the space of the points (section 2 of the
- * paper, "Conformal self-organizing map on curved seamless surface"). TrainingMode ONLINE is the
- * paper's learning algorithm, one point at a time, with the paper's constants as defaults. BATCH,
- * the default, uses all points at once on a sequence of finer networks and ends with a
- * least-squares fit. It fits more than a hundred times closer in a fraction of the time.
+ * Neurons are the vertices of a network on the sphere. Each neuron learns a weight vector, its
+ * position in the space of the points (section 2 of the paper, "Conformal self-organizing map on
+ * curved seamless surface"). TrainingMode ONLINE is the paper's learning algorithm, one point at a
+ * time, with the paper's constants as defaults. BATCH, the default, uses all points at once on a
+ * sequence of finer networks, and ends with a least-squares fit. The mean square distance between
+ * the points and the mesh is then more than a hundred times smaller, and learning is faster.
  *
- * ONLINE learns by Eqs. 3 to 5, and the neurons' positions on the sphere are the paper's map. BATCH
- * applies Eq. 3 to all points. A geodesic mesh is learned on all networks, then fitted. An adaptive
- * mesh is learned on coarse networks only, and only for objects without limbs. From there, or from
- * a hull of the points, the surface is alternately remeshed and fitted, then mapped to the sphere
- * conformally. The paper names meshes that grow and swap edges as alternatives to its network.
+ * ONLINE learns by Eqs. 3 to 5 of the paper, and the neurons' positions on the sphere are the
+ * paper's map. BATCH applies Eq. 3 to all points. For a geodesic mesh, BATCH learns on all networks
+ * and then fits the finest network to the points. For an adaptive mesh, BATCH learns on coarse
+ * networks only, and only if the object has no limbs. The coarse mesh, or a hull of the points, is
+ * then alternately remeshed and fitted. Finally it is mapped to the sphere conformally. The paper
+ * suggests meshes that grow and swap edges as alternatives to its network.
  *
- * Implementation note: with the paper's constants, learning stops before the neighborhood is as
- * small as a triangle. Documentation/Filters.md has the measurement.
+ * Implementation note: with the paper's constants, learning stops while the neighborhood radius is
+ * still larger than a triangle. Documentation/Filters.md has the measurement.
  *
- * Implementation note: E_mis measures distances from the points to the mesh only. A mesh learned
- * from the sphere may span webs between limbs, which E_mis does not detect. An adaptive mesh is
- * checked for webs and, if it has some, learned again from a hull; see StartingShape.
+ * Implementation note: the paper's mismatch error E_mis measures distances from the points to the
+ * mesh only. A mesh that is learned from the sphere may have webs between limbs. E_mis does not
+ * detect webs. An adaptive mesh is checked for webs. If there are webs, the mesh is learned again
+ * from a hull, see StartingShape.
  *
  * @sa
  * vtkGeodesicSphereSource vtkCurvedSeamlessSurface vtkGlobalConformalMap vtkSphericalTextureMap
@@ -154,25 +170,25 @@ public:
   };
 
   /**
-   * A closed mesh of genus zero with the point array "SpherePosition" to start from, such as an
-   * earlier result. Without it, learning starts as specified by StartingShape.
+   * A closed mesh of genus zero from which learning starts, with the point array "SpherePosition",
+   * such as an earlier result. Without this mesh, learning starts as specified by StartingShape.
    */
   void SetStartConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 
   /**
-   * Set the optional starting mesh without a pipeline connection.
+   * Set the optional mesh from which learning starts, without a pipeline connection.
    */
   void SetStartData(vtkPolyData* mesh) { this->SetInputData(1, mesh); }
 
   ///@{
   /**
    * Type of the mesh. GEODESIC: the paper's geodesic sphere with fixed connectivity; its triangles
-   * stretch over limbs. ADAPTIVE: nearly equilateral triangles of equal size all over the surface,
-   * long limbs included; batch learning only. AUTOMATIC_MESH (default): ADAPTIVE in batch learning,
-   * GEODESIC in online learning and for points in a plane.
+   * become long and large on limbs. ADAPTIVE: nearly equilateral triangles of equal size on the
+   * whole surface, including long limbs; batch learning only. AUTOMATIC_MESH (default): ADAPTIVE in
+   * batch learning, GEODESIC in online learning and for points in a plane.
    *
-   * A geodesic mesh is learned from the sphere. Points of an adaptive mesh lie on sharp edges and
-   * in corners of the object. Documentation/Fit.md compares both.
+   * In batch learning, a geodesic mesh is always learned from the sphere. An adaptive mesh has
+   * points on sharp edges and corners of the object. Documentation/Fit.md compares both types.
    */
   vtkSetClampMacro(MeshType, int, AUTOMATIC_MESH, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -183,10 +199,11 @@ public:
 
   ///@{
   /**
-   * Number of points of the mesh. A geodesic mesh has the nearest number of the form 10 f^2 + 2. In
-   * [12, 10000002]. Default is 12,962, which is 10 f^2 + 2 for f = 36.
+   * Number of points of the mesh. A geodesic mesh has the nearest number of the form 10 f^2 + 2
+   * with an integer f. In [12, 10000002]. Default is 12,962, which is 10 f^2 + 2 for f = 36.
    *
-   * f is the frequency of vtkGeodesicSphereSource. Training needs about 1 KiB of memory per neuron.
+   * The integer f is the frequency of vtkGeodesicSphereSource. Training needs about 1 KiB of memory
+   * for each point of the mesh.
    */
   vtkSetClampMacro(NumberOfNeurons, int, 12, 10000002);
   vtkGetMacro(NumberOfNeurons, int);
@@ -194,9 +211,9 @@ public:
 
   ///@{
   /**
-   * Training algorithm. BATCH (default): all points at once on a sequence of finer networks, then a
-   * least-squares fit; much closer to the points, and faster. ONLINE: the paper's CSM Learning
-   * Algorithm, one point at a time.
+   * Training algorithm. BATCH (default): learn from all points at once on a sequence of finer
+   * networks, then fit the mesh by least squares. The result is much closer to the points, and
+   * learning is faster. ONLINE: the paper's CSM Learning Algorithm, which uses one point at a time.
    */
   vtkSetClampMacro(TrainingMode, int, BATCH, ONLINE);
   vtkGetMacro(TrainingMode, int);
@@ -206,12 +223,12 @@ public:
 
   ///@{
   /**
-   * Point array of the input with 1 component, the priority of each point. Online: frequency with
-   * which the point is drawn, in the second half of the epochs. Batch: weight of the point. Default
-   * is none (or an empty name): equal priority.
+   * Name of a point array of the input with 1 component, the priority of each point. Online:
+   * relative frequency with which the point is drawn in the second half of the epochs. Batch:
+   * weight of the point. Default is none (or an empty name): all points have equal priority.
    *
-   * The paper gives priority to extrusive parts. Negative and non-finite values count as 0, with a
-   * warning.
+   * The paper gives a higher priority to extrusive parts. Negative and non-finite values count as
+   * 0, with a warning.
    */
   vtkSetStringMacro(PriorityArrayName);
   vtkGetStringMacro(PriorityArrayName);
@@ -219,8 +236,8 @@ public:
 
   ///@{
   /**
-   * Seed of the random choice of points. At least 0. Default is 1. The same input gives the same
-   * bits, on any number of threads and processes.
+   * Seed of the random choice of points. At least 0. Default is 1. With equal input, properties and
+   * seed, the output is equal bit by bit, for any number of threads and processes.
    */
   vtkSetClampMacro(RandomSeed, int, 0, VTK_INT_MAX);
   vtkGetMacro(RandomSeed, int);
@@ -228,15 +245,17 @@ public:
 
   ///@{
   /**
-   * Reference point on the sphere for each sample. CONFORMAL: conformal image of the sample's
-   * projection, Eqs. 4 and 5 of the paper. WINNER: a neuron, as in the plain self-organizing map.
-   * AFFINE: affine image of the projection. AUTOMATIC_REFERENCE (default): CONFORMAL in online
-   * learning, AFFINE in batch learning.
+   * Reference point: the point of the sphere that corresponds to an input point during learning.
+   * The input point is first projected onto the mesh. CONFORMAL: image of the projection by a
+   * conformal map of the triangle, Eqs. 4 and 5 of the paper. AFFINE: image by an affine map of the
+   * triangle. WINNER: position of a neuron, as in the plain self-organizing map.
+   * AUTOMATIC_REFERENCE (default): CONFORMAL in online learning, AFFINE in batch learning.
    *
-   * With WINNER, online learning uses the winning neuron, r = n_c. Batch learning uses the corner
-   * with the largest barycentric weight in the triangle of the projection. In batch learning AFFINE
-   * is as close as CONFORMAL in less time. There the property matters only while a mesh is learned
-   * from the sphere, not in the fit.
+   * With WINNER, online learning uses the position n_c of the winning neuron, the neuron nearest to
+   * the input point. Batch learning uses the corner with the largest barycentric weight in the
+   * triangle of the projection. In batch learning, AFFINE gives a mesh as close to the points as
+   * CONFORMAL, in less time. Batch learning uses this property only while a mesh is learned from
+   * the sphere, not in the fit.
    */
   vtkSetClampMacro(ReferencePoint, int, AUTOMATIC_REFERENCE, AFFINE);
   vtkGetMacro(ReferencePoint, int);
@@ -256,7 +275,8 @@ public:
 
   ///@{
   /**
-   * Online: number of samples drawn in one epoch. At least 1. Default is 8000, as in the paper.
+   * Online: number of points drawn at random in one epoch. At least 1. Default is 8000, as in the
+   * paper.
    */
   vtkSetClampMacro(SamplesPerEpoch, int, 1, VTK_INT_MAX);
   vtkGetMacro(SamplesPerEpoch, int);
@@ -264,12 +284,14 @@ public:
 
   ///@{
   /**
-   * Online: the paper's constants sigma_0, tau_1, alpha_0 and tau_2 of the neighborhood and the
-   * learning rate. Positive, but alpha_0 in [0, 1). Default is (0.4, 20, 0.01, 60).
+   * Online: the paper's constants (sigma_0, tau_1, alpha_0, tau_2). sigma_0 and tau_1 define the
+   * size of the neighborhood, the part of the sphere whose neurons learn from one point. alpha_0
+   * and tau_2 define the learning rate. alpha_0 is in [0, 1), and the others are positive. Default
+   * is (0.4, 20, 0.01, 60).
    *
-   * The neighborhood is h(d) = exp(-d^2 / (2 sigma^2)) with sigma(t) = sigma_0 exp(-t / tau_1), a
-   * length on the unit sphere. The learning rate is alpha(t) = alpha_0 exp(-t / tau_2). The time t
-   * is the number of the epoch.
+   * Let t be the number of the epoch, and d a distance on the unit sphere. The neighborhood
+   * function is h(d) = exp(-d^2 / (2 sigma(t)^2)) with sigma(t) = sigma_0 exp(-t / tau_1). The
+   * learning rate is alpha(t) = alpha_0 exp(-t / tau_2).
    */
   vtkSetVector4Macro(OnlineConstants, double);
   vtkGetVector4Macro(OnlineConstants, double);
@@ -277,8 +299,8 @@ public:
 
   ///@{
   /**
-   * Batch: number of least-squares iterations after learning. For an adaptive mesh the number
-   * includes iterations before the last remeshing, up to half of all. At least 0. Default is 10.
+   * Batch: number of iterations of the least-squares fit after learning. For an adaptive mesh, up
+   * to half of these iterations precede the last remeshing. At least 0. Default is 10.
    */
   vtkSetClampMacro(FitIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(FitIterations, int);
@@ -286,8 +308,9 @@ public:
 
   ///@{
   /**
-   * Batch: weight of the Laplacian in the fit, per point of a neuron. Not negative. Default is
-   * 0.01. Larger values smooth noise. Noise that is detected in the points increases the weight.
+   * Batch: weight of the smoothness (Laplacian) term in the least-squares fit, relative to the mean
+   * weight of the input points of a neuron. At least 0. Default is 0.01. Larger values smooth
+   * noise. If noise is detected in the points, the filter increases the weight.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -295,25 +318,27 @@ public:
 
   ///@{
   /**
-   * Surface from which an adaptive mesh is learned, if input port 1 has no mesh. AUTOMATIC
-   * (default): the input's polygons, if they form one closed surface of genus zero through all
-   * points; else the sphere. If the mesh then has webs between limbs or hole fillings, or is bad
-   * otherwise, it is learned again from a closed hull of the points. SPHERE, HULL, MESH (the
-   * input's polygons): always that shape.
+   * Surface from which an adaptive mesh is learned, if input port 1 has no mesh. SPHERE: the unit
+   * sphere. HULL: a closed hull around the points. MESH: the input's polygons. AUTOMATIC (default):
+   * the input's polygons if they form one closed surface of genus zero through all points,
+   * otherwise the sphere. If the mesh then has webs (spurious membranes) between limbs or hole
+   * fillings, or is bad otherwise, it is learned again from a hull.
    *
-   * The best mesh is kept. UncoveredFraction, InvertedFraction and FoldedFraction measure how bad a
-   * mesh is. A geodesic mesh is learned from the sphere; HULL and MESH are errors then. With
-   * MeshType AUTOMATIC_MESH, points in a plane are always learned from the sphere.
+   * If several meshes are learned, the best mesh is kept. The field data "UncoveredFraction",
+   * "InvertedFraction" and "FoldedFraction" measure the defects of a mesh. A geodesic mesh is not
+   * learned from a hull or from polygons; HULL and MESH are then errors. If all points lie in a
+   * plane and MeshType is AUTOMATIC_MESH, learning starts from the sphere.
    *
-   * Where vertices of the polygons are sparse, additional samples are drawn from the polygons. With
-   * MESH, polygons that do not form a closed surface of genus zero are an error. Points of no
-   * polygon are left out with a warning. With AUTOMATIC, polygons of any other kind only orient the
-   * points, see HullMethod. Among several processes, polygons are used only if one process has all
-   * of the input. If several processes have points, MESH is an error, and AUTOMATIC gives a
-   * warning.
+   * Where vertices of the polygons are sparse, additional points are sampled from the polygons.
+   * With MESH, it is an error if the polygons do not form a closed surface of genus zero. Points
+   * that belong to no polygon are left out with a warning. With AUTOMATIC, polygons that do not
+   * form a closed surface of genus zero only provide normals, see HullMethod. With several
+   * processes, polygons are used only if one process has the whole input. If several processes have
+   * points, MESH is an error, and AUTOMATIC gives a warning.
    *
-   * Small webs are visible only in the fitted mesh. If more than 0.1 % of its area has no points
-   * nearby, the mesh is learned again from a hull, which doubles the time.
+   * Small webs can be detected only in the fitted mesh. If more than 0.1 % of the fitted mesh's
+   * area has no points nearby, the mesh is learned again from a hull. The second learning doubles
+   * the time.
    */
   vtkSetClampMacro(StartingShape, int, AUTOMATIC, MESH);
   vtkGetMacro(StartingShape, int);
@@ -325,14 +350,16 @@ public:
 
   ///@{
   /**
-   * Batch: classifier of inside and outside for a hull to learn from, as Method of
-   * vtkGenusZeroHull. DISTANCE, or WINDING_NUMBERS for scans with large holes, hidden sides or
-   * noise. AUTOMATIC_METHOD (default): as AUTOMATIC of that filter. A bad adaptive mesh is then
-   * learned again from the other hull, and the better mesh is kept.
+   * Batch: method by which the hull of the points is made, if learning starts from a hull. The
+   * method classifies space as inside or outside of the points, as the Method of vtkGenusZeroHull.
+   * DISTANCE: by the distance to the points. WINDING_NUMBERS: by winding numbers of the points, for
+   * scans with large holes, hidden sides or noise. AUTOMATIC_METHOD (default): as AUTOMATIC of
+   * vtkGenusZeroHull; a bad adaptive mesh is learned again from the hull by the other method, and
+   * the better mesh is kept.
    *
-   * Winding numbers use the consistently oriented normals of the input's polygons, if most of its
-   * points belong to a polygon. Otherwise they use its active normals. Without any, or where
-   * normals contradict each other about the inside, normals are estimated.
+   * If most points of the input belong to a polygon, winding numbers use the normals of the
+   * polygons, consistently oriented. Otherwise they use the active normals of the input. If there
+   * are no normals, or if normals contradict each other, normals are estimated from the points.
    */
   vtkSetClampMacro(HullMethod, int, AUTOMATIC_METHOD, WINDING_NUMBERS);
   vtkGetMacro(HullMethod, int);
@@ -343,11 +370,13 @@ public:
 
   ///@{
   /**
-   * Whether output port 2 has the surfaces that learning goes through: the start, each level or
-   * turn, the fit, and the result, each with its quality. Use it for figures, and to find the cause
-   * of a bad result. Default is off.
+   * Whether output port 2 has the intermediate surfaces of learning: the start, each level or turn,
+   * the fit, and the result. A level is one network of the sequence; a turn is one remeshing with
+   * its fit. Each surface has field data about its quality. Use these surfaces for figures, and to
+   * find the cause of a bad result. Default is off.
    *
-   * Each stage is evaluated, which takes some tenths of a second, and kept in memory.
+   * Each intermediate surface is evaluated and kept in memory. The evaluation costs some tenths of
+   * a second.
    */
   vtkSetMacro(GenerateStages, bool);
   vtkGetMacro(GenerateStages, bool);
@@ -357,9 +386,9 @@ public:
   ///@{
   /**
    * Controller of the processes that share the points. Each process runs this filter on its own
-   * piece of the points, which may be empty. The surface is that of all points together, with the
-   * same bits on any number of processes. Default is the global controller; null uses the points of
-   * this process alone.
+   * piece of the points, which may be empty. The surface is learned from the points of all
+   * processes. The result is equal bit by bit for any number of processes. Default is the global
+   * controller. With null, only the points of this process are used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -367,9 +396,9 @@ public:
 
   ///@{
   /**
-   * Whether to give each process a piece of the surface: a range of its triangles, with their
-   * points and with global ids. Default is off: the first process gets the whole surface, the
-   * others get empty arrays.
+   * Whether each process gets a piece of the surface: a range of triangles, with their points and
+   * with global ids. Default is off: the first process gets the whole surface, and the other
+   * processes get an empty surface.
    */
   vtkSetMacro(DistributeOutput, bool);
   vtkGetMacro(DistributeOutput, bool);

@@ -25,7 +25,7 @@ vtkStandardNewMacro(vtkCurvedSeamlessMap);
 
 namespace
 {
-// An array's memory for so many tuples; none for no array.
+// Resize an array, and return its memory. Return null if there is no array.
 double* Sized(vtkDoubleArray* array, int components, conformal::Index tuples)
 {
   if (!array)
@@ -37,7 +37,7 @@ double* Sized(vtkDoubleArray* array, int components, conformal::Index tuples)
   return array->GetPointer(0);
 }
 
-// Results of their own, none of them the array they are made from.
+// Require that all arrays are distinct, and that none is the array from which they are computed.
 void RequireDifferent(vtkDataArray* from, std::initializer_list<vtkDoubleArray*> arrays)
 {
   for (auto array = arrays.begin(); array != arrays.end(); ++array)
@@ -61,7 +61,7 @@ void Empty(std::initializer_list<vtkDoubleArray*> arrays)
   }
 }
 
-// What fails leaves nothing behind.
+// Fill arrays by a function. After an error, the arrays are empty.
 bool FillOrEmpty(vtkObject* self, vtkDataArray* from, std::initializer_list<vtkDoubleArray*> arrays,
   const std::function<void()>& fill)
 {
@@ -82,7 +82,7 @@ bool FillOrEmpty(vtkObject* self, vtkDataArray* from, std::initializer_list<vtkD
     });
 }
 
-// None for no array.
+// Convert the lengths in an array from the frame to the unit of the user. A null array is skipped.
 void LengthsFromFrame(
   vtkDoubleArray* array, const conformal::CoordinateFrame& frame, const char* what)
 {

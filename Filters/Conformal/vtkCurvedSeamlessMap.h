@@ -1,31 +1,33 @@
 /**
  * @class   vtkCurvedSeamlessMap
- * @brief   evaluate a curved seamless surface anywhere, with derivatives and the inverse map (CSS)
+ * @brief   evaluate a curved seamless surface (CSS) anywhere, with derivatives and the inverse map
  *
- * Evaluate the surface that vtkCurvedSeamlessSurface samples, as a function. Map a direction to its
- * point of the surface, with normal, derivatives, metric tensor and area element. Map a point near
- * the surface to its direction. No pipeline is needed.
+ * Evaluate, in any direction, the surface of which vtkCurvedSeamlessSurface outputs samples.
+ * ToSurface() maps a direction, a point of the unit sphere, to the corresponding point of the
+ * surface and its normal. Differentiate() computes derivatives, metric tensors and area elements.
+ * ToSphere() maps a point near the surface to its direction. No pipeline is needed.
  *
- * Build() takes a vtkPolyData, a closed surface of genus zero from vtkConformalSOM or any other
+ * Build() needs a vtkPolyData, a closed surface of genus zero from vtkConformalSOM or any other
  * source. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
- * triangles are oriented consistently, and isolated points are dropped, each with one warning.
+ * triangles are oriented consistently, and isolated points are dropped. Each kind of change causes
+ * one warning. The surface has
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
  *   sphere. The map must cover the sphere exactly once.
  * - field array "VertexShift" (1 component, optional, at least 1 tuple): see VertexShift of
  *   vtkCurvedSeamlessSurface.
  *
- * The array arguments of one call must be distinct arrays. Arrays that do not fit the points or
- * cells of the surface or the cloud are an error.
+ * The array arguments of one call must be distinct arrays. It is an error if an array of the
+ * surface has a different number of tuples than the surface has points or cells.
  *
- * This is the CSS algorithm of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), with
+ * The surface is made by the CSS algorithm of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008), with
  * Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
  *
- * Implementation note: as published, the maps of two triangles differ along their common edge. The
- * published domes of the unit sphere rise outwards everywhere, in hollows too. SeamMode
- * PER_TRIANGLE and DomeHeight PUBLISHED of vtkCurvedSeamlessSurface reproduce both. The defaults
- * are one map that is continuous and one to one across all edges, and domes that follow the
- * surface's own curvature.
+ * Implementation note: a dome is the curved patch that replaces a flat triangle. In the published
+ * algorithm, the maps of two neighboring triangles differ along their common edge. Published domes
+ * bulge outward everywhere, even where the surface is concave. The properties SeamMode PER_TRIANGLE
+ * and DomeHeight PUBLISHED of vtkCurvedSeamlessSurface reproduce this behavior. By default, the map
+ * is continuous and one to one across all edges, and domes follow the curvature of the surface.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkConformalSOM
@@ -64,8 +66,8 @@ public:
 
   /**
    * Build the map of a surface with the default properties of vtkCurvedSeamlessSurface. For other
-   * properties call vtkCurvedSeamlessSurface::BuildMap(). Returns false, with an error and without
-   * a map, if the surface is not valid.
+   * properties, call vtkCurvedSeamlessSurface::BuildMap(). If the surface is not valid, an error is
+   * reported, no map is built, and the function returns false.
    */
   bool Build(vtkPolyData* surface);
 
@@ -76,52 +78,58 @@ public:
 
   /**
    * Map directions (3 components, of any length but 0) to positions on the surface and outward unit
-   * normals, each with 3 components. With CURVATURE and FITTED the normals are shading normals,
-   * which are continuous across edges; otherwise they are those of the flat triangles. Returns
-   * false, with an error, if there is no map or a direction is not valid.
+   * normals, each with 3 components. If DomeHeight is CURVATURE (default) or FITTED, the normals
+   * are shading normals, which are continuous across edges. Otherwise they are the normals of the
+   * flat triangles. If there is no map, or a direction is not valid, an error is reported and the
+   * function returns false.
    */
   bool ToSurface(
     vtkDataArray* directions, vtkDoubleArray* positions, vtkDoubleArray* normals = nullptr);
 
   /**
-   * Compute derivatives of the positions. J (9 components, row by row) is the derivative with
-   * respect to the unit direction; its product with the direction itself is 0. The metric tensor is
-   * J^T J (9 components). The area element (1 component) is area on the surface per area on the
-   * unit sphere. Null arguments are skipped. Not available with PUBLISHED and SCALED, whose domes
-   * have ridges.
+   * Compute derivatives of the positions. Let J be the matrix of derivatives of the position with
+   * respect to the unit direction. The product of J and the direction is 0. Argument `derivatives`
+   * gets J (9 components, row by row), and `metrics` gets the metric tensor J^T J (9 components).
+   * Argument `areaElements` gets area on the surface per area on the unit sphere (1 component).
+   * Null arguments are skipped. If DomeHeight is PUBLISHED or SCALED, derivatives do not exist,
+   * since these domes have ridges; the function then reports an error and returns false.
    */
   bool Differentiate(vtkDataArray* directions, vtkDoubleArray* derivatives,
     vtkDoubleArray* metrics = nullptr, vtkDoubleArray* areaElements = nullptr);
 
   /**
-   * Map points on or near the surface to unit directions. Optionally return the closest points of
-   * the surface, to which these directions belong. Not available with PUBLISHED and SCALED.
+   * Map points on or near the surface to unit directions. A direction is that of the closest point
+   * of the surface. If `closestPoints` is not null, it gets these closest points. If DomeHeight is
+   * PUBLISHED or SCALED, the inverse does not exist; the function then reports an error and returns
+   * false.
    */
   bool ToSphere(
     vtkDataArray* points, vtkDoubleArray* directions, vtkDoubleArray* closestPoints = nullptr);
 
   /**
-   * Return the number of triangles where the construction is replaced. Triangles degenerate in
-   * space or on the sphere are mapped affinely. With CURVATURE and FITTED, patches that would turn
-   * over are flattened. With PUBLISHED and SCALED, triangles with a neighbor that faces the
-   * opposite way count, too.
+   * Return the number of triangles for which the usual construction of the map or the dome fails. A
+   * triangle without area in space or on the sphere is mapped affinely. If DomeHeight is CURVATURE
+   * or FITTED, a dome that would fold over is replaced by the flat triangle. If DomeHeight is
+   * PUBLISHED or SCALED, triangles whose normal is opposite to that of a neighbor are also counted.
    */
   vtkIdType GetNumberOfDegeneratePatches();
 
   /**
-   * Return the mean and the maximum angle, in degrees, between the surface's own normals on the two
-   * sides of an edge, over all edges. Both are 0 without a map or with PUBLISHED and SCALED.
+   * Return the mean and the maximum angle, in degrees, between the geometric normals (not shading
+   * normals) on both sides of an edge, over all edges. Both angles are 0 if there is no map, or if
+   * DomeHeight is PUBLISHED or SCALED.
    */
   void GetNormalJumps(double jumps[2]);
 
 #ifndef __VTK_WRAP__
   /**
-   * Use a map that a filter of this module has built; null removes the map.
+   * Use a map that a filter of this module has built. If the argument is null, remove the map.
    */
   void Take(std::shared_ptr<const glue::BuiltSurface> map);
 
   /**
-   * Build the map of a surface, as Build(), with given properties.
+   * Build the map of a surface with given properties. The cloud may be null unless DomeHeight is
+   * FITTED.
    */
   bool Build(
     const glue::CurvedSeamlessProperties& properties, vtkPolyData* surface, vtkPointSet* cloud);

@@ -41,8 +41,8 @@ double PointsOfFrequency(int frequency)
   return static_cast<double>(conformal::geodesicSphereSize(frequency));
 }
 
-// Into how many triangles along an edge those of the network are cut; 0 if the surface is sampled
-// in other directions.
+// Return the number of parts into which each edge of the network is divided. Return 0 if the
+// surface is not sampled on the network.
 int SubdivisionsOf(const conformal::CurvedSeamlessSurface& surface, int sampling, bool hasSphere,
   int subdivisions, int frequency)
 {
@@ -57,7 +57,8 @@ int SubdivisionsOf(const conformal::CurvedSeamlessSurface& surface, int sampling
     : conformal::subdivisionsFor(surface.sphere().rows(), PointsOfFrequency(frequency));
 }
 
-// Directions and triangles in which the surface is wanted: the network, subdivided, or a sphere.
+// Return the mesh of the directions in which the surface is sampled: the subdivided network, the
+// mesh on input port 1, or a geodesic sphere.
 conformal::Mesh DenseMesh(const conformal::CurvedSeamlessSurface& surface, int subdivisions,
   vtkPolyData* sphere, int frequency, const conformal::Run& run)
 {
@@ -78,7 +79,7 @@ conformal::Mesh DenseMesh(const conformal::CurvedSeamlessSurface& surface, int s
   return dense;
 }
 
-// A new array of 3 doubles per tuple.
+// Make an array with 3 doubles per tuple.
 vtkNew<vtkDoubleArray> Vectors(const char* name)
 {
   vtkNew<vtkDoubleArray> array;
@@ -92,8 +93,8 @@ Eigen::Map<conformal::Points> ViewOf(vtkDoubleArray* array)
   return { array->GetPointer(0), array->GetNumberOfTuples(), 3 };
 }
 
-// Triangles of the output and its arrays, a tuple for each direction. Empty on ranks that do not
-// own the surface.
+// Triangles and arrays of the output, with one tuple for each direction. They are empty on ranks
+// that do not own the surface.
 struct Samples
 {
   conformal::Triangles Triangles;
@@ -118,8 +119,8 @@ int FindOwner(vtkCurvedSeamlessSurface* self, vtkPolyData* surface, vtkPolyData*
   return owner;
 }
 
-// Measured shares of the time of the map; the sphere, its triangles, its directions; the surface,
-// its normals, and the output.
+// Return measured relative costs of the steps: the map; the sphere, its triangles and its
+// directions; the surface, its normals and the output.
 std::vector<double> CostOf(conformal::DomeHeight domeHeight)
 {
   return { domeHeight == conformal::DomeHeight::Fitted ? 4.0 : 0.5, 0.04, 0.02, 0.03, 0.9,
@@ -137,7 +138,7 @@ void SetDirections(Samples& samples, conformal::Mesh dense, bool isNetwork, vtkP
   samples.Directions->SetNumberOfTuples(dense.Positions.rows());
   if (isNetwork)
   {
-    ViewOf(samples.Directions) = dense.Positions; // to the bit, so that vertices are found as such
+    ViewOf(samples.Directions) = dense.Positions; // exact copies, so that vertices are recognized
   }
   else
   {
@@ -188,8 +189,8 @@ void SetPointData(vtkPolyData* result, Samples& samples, const conformal::Coordi
   result->GetPointData()->SetNormals(samples.Normals);
 }
 
-// Interpolate the support of the mesh, if the owner has it: isolated points are not part of the
-// network, and then ids of points are not ids of its vertices.
+// Interpolate the array Supported of the mesh, if the owner has this array. The array is ignored if
+// the mesh has isolated points, since its point ids then differ from the vertex ids of the network.
 void AddSupport(vtkPolyData* result, const Samples& samples, vtkPolyData* mesh,
   const conformal::CurvedSeamlessSurface& network, bool isOwner, glue::Processes& processes)
 {
@@ -295,7 +296,7 @@ int vtkCurvedSeamlessSurface::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const int frequency = this->Frequency, sampling = this->Sampling,
             subdivisions = this->Subdivisions;
-  // Observers may change properties meanwhile.
+  // Copied, since observers of the progress may change properties during the run.
   const glue::CurvedSeamlessProperties properties = PropertiesOf(this);
   const conformal::DomeHeight domeHeight = properties.Options.DomeHeight;
   const bool fits = domeHeight == conformal::DomeHeight::Fitted;

@@ -1,51 +1,61 @@
 /**
  * @class   vtkCurvedSeamlessSurface
- * @brief   make a mesh that is mapped to the sphere a smooth, dense surface (CSS)
+ * @brief   make a smooth, dense surface from a mesh that is mapped to the sphere (CSS)
  *
  * Make a smooth, dense, closed surface from a mesh that is mapped to the sphere, such as the output
- * of vtkConformalSOM, and keep its map. This is the CSS algorithm of section 3 of C.-Y. Liou, Y.-T.
- * Kuo, J.-C. Huang, Neurocomputing 71 (2008). The surface has the point arrays "SpherePosition" and
- * Normals.
+ * of vtkConformalSOM. The method is the CSS (curved seamless surface) algorithm of section 3 of
+ * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). The surface has the point arrays
+ * "SpherePosition", its map to the sphere, and "Normals".
  *
  * Input port 0: vtkPolyData, a closed surface of genus zero from vtkConformalSOM or any other
  * source. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
- * triangles are oriented consistently, and isolated points are dropped, each with one warning.
+ * triangles are oriented consistently, and isolated points are dropped. Each kind of change causes
+ * one warning. The surface has
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
  *   sphere. The map must cover the sphere exactly once.
  * - field array "VertexShift" (1 component, optional, at least 1 tuple): see the property
  *   VertexShift.
  *
- * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. The surface is evaluated in the
- * directions of its points and gets its triangles. The directions are the point array
- * "SpherePosition" (3 components), or else the coordinates. Without this input the property
- * Sampling determines where the surface is evaluated.
+ * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. A direction is a point of the
+ * unit sphere. The surface is evaluated in the directions of the points of this mesh, and gets the
+ * triangles of this mesh. The directions are the point array "SpherePosition" (3 components) or,
+ * without this array, the coordinates. Without this input, the property Sampling determines where
+ * the surface is evaluated.
  *
- * Input port 2 (optional): vtkPointSet, the cloud that DomeHeight FITTED fits the surface to.
- * Points that are not finite are left out with a warning, ghost points silently.
+ * Input port 2 (optional): vtkPointSet, the point cloud to which the surface is fitted if
+ * DomeHeight is FITTED. Points with non-finite coordinates are left out with a warning, and ghost
+ * points without a warning.
  *
- * Output port 0: vtkPolyData, the surface, in the coordinates of port 0 as doubles.
- * - point array "SpherePosition" (double, 3 components): unit vector of each point.
- * - point array "Normals" (double, 3 components): outward. With DomeHeight CURVATURE and FITTED
- *   they are shading normals, which are continuous across the edges of port 0. Otherwise they are
- *   means of the normals of the triangles around each point, weighted by area. Where a mean is 0,
- *   the normal of the flat triangle is used, or, if that is degenerate, SpherePosition.
- * - point array "Supported" (double, 1 component), if port 0 has it, interpolated.
- * - cell array "Degenerate" (unsigned char): 1 in triangles with a point from a degenerate triangle
- *   of port 0; with Sampling NETWORK in the parts of a degenerate triangle.
- * - field array "NumberOfDegeneratePatches" (vtkIdType): number of triangles of port 0 where the
- *   construction is replaced, with a warning. Triangles degenerate in space or on the sphere are
- *   mapped affinely. With DomeHeight CURVATURE and FITTED, patches that would turn over are
- *   flattened. With PUBLISHED and SCALED, triangles with a neighbor that faces the opposite way use
- *   their own normal.
+ * Output port 0: vtkPolyData, the smooth, dense surface, in the coordinates of input port 0, double
+ * precision.
+ * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
+ * - point array "Normals" (double, 3 components): outward unit normals. If DomeHeight is CURVATURE
+ *   or FITTED, they are shading normals, which are continuous across the edges of the input's
+ *   triangles. Otherwise they are means of the normals of the triangles around each point, weighted
+ *   by area. If a mean is 0, the normal of the input's flat triangle replaces it. If this triangle
+ *   has no area, SpherePosition is used.
+ * - point array "Supported" (double, 1 component), only if input port 0 has this array: the
+ *   interpolated values. vtkConformalSOM describes the array.
+ * - cell array "Degenerate" (unsigned char): 1 for triangles in a degenerate triangle of input port
+ *   0, otherwise 0. If Sampling is NETWORK, these are the parts of the degenerate triangle.
+ *   Otherwise they are all triangles with at least one point in the degenerate triangle.
+ * - field array "NumberOfDegeneratePatches" (vtkIdType): number of degenerate triangles of input
+ *   port 0, for which the usual construction of the map or the dome (see DomeHeight) fails. If the
+ *   number is not 0, there is a warning. A triangle without area in space or on the sphere is
+ *   mapped affinely. If DomeHeight is CURVATURE or FITTED, a dome that would fold over is replaced
+ *   by the flat triangle. If DomeHeight is PUBLISHED or SCALED, triangles whose normal is opposite
+ *   to that of a neighbor are also counted.
  *
- * The algorithm is that of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to 11, with
- * Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
+ * The surface is computed by the algorithm in Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to
+ * 11, with Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
  *
- * Implementation note: the published maps of neighboring triangles differ along the edges of port
- * 0, and the published domes bring the surface no closer to the object. Both are available, as
- * SeamMode PER_TRIANGLE and DomeHeight PUBLISHED. The defaults are one continuous one-to-one map,
- * and domes that follow the surface's own curvature. GetMap() evaluates the surface anywhere.
+ * Implementation note: a dome is the curved patch that replaces a flat triangle. In the published
+ * algorithm, the maps of two neighboring triangles differ along their common edge. The published
+ * domes do not bring the surface closer to the object. Published maps and domes are available as
+ * SeamMode PER_TRIANGLE and DomeHeight PUBLISHED. By default, the map is continuous and one to one
+ * across all edges, and domes follow the curvature of the surface. GetMap() returns a map that
+ * evaluates the surface in any direction.
  *
  * @sa
  * vtkCurvedSeamlessMap vtkConformalSOM vtkGeodesicSphereSource vtkGenusZeroCheck
@@ -71,9 +81,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * A mesh of the sphere, N^new in the paper, input port 1. The surface is evaluated at its points
-   * and gets its triangles. Without it Sampling determines the points. Sampling NETWORK does not
-   * use it.
+   * Set the mesh of the sphere on input port 1, called N^new in the paper. The surface is evaluated
+   * in the directions of the points of this mesh, and gets its triangles. Without this mesh, the
+   * property Sampling determines the points. If Sampling is NETWORK, the mesh is not used.
    */
   void SetSphereConnection(vtkAlgorithmOutput* output);
 
@@ -106,16 +116,17 @@ public:
 
   ///@{
   /**
-   * Distribution of the surface's points. DIRECTIONS: evenly over the sphere, or at the points of
-   * the mesh on input port 1. NETWORK: in every triangle of the input's mesh, so that limbs that
-   * are small on the sphere get points. AUTOMATIC (default): DIRECTIONS if input port 1 has a mesh
-   * or the input's mesh is geodesic on the sphere, NETWORK otherwise.
+   * Distribution of the points of the output. DIRECTIONS: at the points of the mesh on input port
+   * 1; without this mesh, evenly over the sphere. NETWORK: in every triangle of input port 0, so
+   * that limbs that are small on the sphere also get points. AUTOMATIC (default): DIRECTIONS if
+   * input port 1 has a mesh, or if input port 0 was learned with MeshType GEODESIC by
+   * vtkConformalSOM; otherwise NETWORK.
    *
    * Without a mesh on input port 1, DIRECTIONS evaluates the surface at the points of a geodesic
-   * sphere of the Frequency. NETWORK cuts every triangle on the sphere into Subdivisions x
-   * Subdivisions. The mesh's own points come first, then those on edges, then those inside
-   * triangles. NETWORK does not use input port 1. A mesh is geodesic on the sphere if
-   * vtkConformalSOM learned it with MeshType GEODESIC.
+   * sphere (vtkGeodesicSphereSource) of the given Frequency. NETWORK divides each triangle on the
+   * sphere into k x k triangles, where k is given by Subdivisions. In the output, the points of
+   * input port 0 are first, followed by points on edges, and then by points inside triangles.
+   * NETWORK does not use input port 1.
    */
   vtkSetClampMacro(Sampling, int, AUTOMATIC, NETWORK);
   vtkGetMacro(Sampling, int);
@@ -126,10 +137,12 @@ public:
 
   ///@{
   /**
-   * DIRECTIONS: frequency f of the geodesic sphere that is used without a mesh on input port 1. The
-   * surface has 10 f^2 + 2 points and 20 f^2 triangles. If f is a multiple of the frequency of the
-   * input's mesh, no triangle crosses an edge of that mesh. NETWORK with Subdivisions 0: lower
-   * bound of the number of points. In [1, 1000]. Default is 80, which gives 64,002 points.
+   * DIRECTIONS: frequency f of the geodesic sphere that is used if input port 1 has no mesh. The
+   * surface has 10 f^2 + 2 points and 20 f^2 triangles. NETWORK with Subdivisions 0: the surface
+   * has at least 10 f^2 + 2 points. In [1, 1000]. Default is 80, which gives 64,002 points.
+   *
+   * The input's mesh may be a geodesic sphere, too. If f is a multiple of its frequency, no
+   * triangle of the output crosses an edge of the input.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -137,34 +150,34 @@ public:
 
   ///@{
   /**
-   * NETWORK: number k of parts into which the edges of the mesh are cut. N points and 2 N - 4
-   * triangles become (N - 2) k^2 + 2 points and (2 N - 4) k^2 triangles. 0 (default): the smallest
-   * k that gives at least the 10 f^2 + 2 points of the Frequency. For the 12,962 points of a
-   * learned mesh this is 3, with 116,642 points. In [0, 100].
+   * NETWORK: number k of parts into which each edge of the input's mesh is divided. A mesh of N
+   * points and 2 N - 4 triangles gives (N - 2) k^2 + 2 points and (2 N - 4) k^2 triangles. 0
+   * (default): the smallest k that gives at least 10 f^2 + 2 points, where f is the Frequency. For
+   * a mesh of 12,962 points, this is k = 3, which gives 116,642 points. In [0, 100].
    */
   vtkSetClampMacro(Subdivisions, int, 0, 100);
   vtkGetMacro(Subdivisions, int);
   ///@}
 
   /**
-   * The points to which the surface is fitted. DomeHeight FITTED needs them; other modes do not use
-   * them.
+   * Set the point cloud to which the surface is fitted if DomeHeight is FITTED. Other values of
+   * DomeHeight do not use the cloud.
    */
   void SetCloudConnection(vtkAlgorithmOutput* output);
 
   /**
-   * Set the cloud of DomeHeight FITTED without a pipeline connection.
+   * Set the point cloud for DomeHeight FITTED without a pipeline connection.
    */
   void SetCloudData(vtkPointSet* cloud);
 
   ///@{
   /**
-   * Controller of the processes that share the cloud of DomeHeight FITTED. Each process runs this
-   * filter on its own piece of the cloud, which may be empty. The surface to be fitted is that of
-   * the first process that has one. It is fitted to all points together, with the same bits on any
-   * number of processes. That process gets the result and the map; the others get empty arrays.
-   * Default is the global controller; null uses a cloud of this process alone. Other values of
-   * DomeHeight need no cloud: each process makes the surface of its own input.
+   * Controller of the processes that share the point cloud if DomeHeight is FITTED. Each process
+   * runs this filter on its own piece of the cloud, which may be empty. The surface of the first
+   * process that has one is fitted to the points of all processes. The result is equal bit by bit
+   * for any number of processes. Only that process gets the result and the map; the other processes
+   * get an empty surface. For other values of DomeHeight, each process makes the surface of its own
+   * input. Default is the global controller. With null, only the cloud of this process is used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -172,9 +185,9 @@ public:
 
   ///@{
   /**
-   * Continuity of the map across the edges of the input's triangles. EDGE_MATCHED (default): one
-   * continuous map. PER_TRIANGLE: as published, one map per triangle, with a jump along the common
-   * edge.
+   * Continuity of the map across the edges of the input's triangles. EDGE_MATCHED (default): the
+   * map is continuous across edges. PER_TRIANGLE: as published, each triangle has a separate map,
+   * and the maps of two triangles differ along their common edge.
    */
   vtkSetClampMacro(SeamMode, int, PER_TRIANGLE, EDGE_MATCHED);
   vtkGetMacro(SeamMode, int);
@@ -184,15 +197,16 @@ public:
 
   ///@{
   /**
-   * Shape of the domes that are raised over the flat triangles. CURVATURE (default): domes that
-   * follow the mesh's own normals, outwards on ridges and inwards in hollows. FITTED: domes that
-   * are fitted to the cloud on input port 2. PUBLISHED and SCALED: domes of the paper, which rise
-   * outwards everywhere. NONE: flat triangles.
+   * Shape of the domes, the curved patches that replace the flat triangles. CURVATURE (default):
+   * domes follow the normals of the mesh, outward where the surface is convex and inward where it
+   * is concave. FITTED: domes are fitted to the point cloud on input port 2. PUBLISHED and SCALED:
+   * domes of the paper, which bulge outward everywhere. NONE: flat triangles.
    *
-   * CURVATURE makes PN triangles with the mean normals of the vertices. FITTED fits positions and
-   * normals of the vertices by least squares. PUBLISHED scales the domes of the unit sphere by the
-   * model's largest distance from the mean of its points. SCALED scales them by the model's local
-   * size.
+   * CURVATURE makes PN triangles (curved point-normal triangles) from the mean normals of the
+   * vertices. FITTED fits positions and normals of the vertices by least squares. The paper
+   * computes the heights of domes on the unit sphere. PUBLISHED multiplies these heights by the
+   * largest distance of a point of the mesh from the mean of its points. SCALED multiplies them by
+   * the local size of the mesh.
    */
   vtkSetClampMacro(DomeHeight, int, NONE, FITTED);
   vtkGetMacro(DomeHeight, int);
@@ -205,16 +219,19 @@ public:
 
   ///@{
   /**
-   * Shift of the vertices of a mesh that was fitted to points, as a fraction of the shift that
-   * would keep its volume, in [0, 2]. With 0 the surface passes through the mesh's points. A
-   * negative value (default) uses the mesh's field array "VertexShift", which vtkConformalSOM
-   * writes, or 0 without that array.
+   * Shift of the vertices of a mesh that was fitted to points, before the triangles are curved. A
+   * value of 1 shifts the vertices so that the curved triangles enclose the same volume as the flat
+   * triangles. With 0, the surface passes through the vertices of the mesh. In [-1, 2]. A negative
+   * value (default) uses the value in the mesh's field array "VertexShift", which vtkConformalSOM
+   * writes, or 0 without this array.
    *
-   * Flat triangles fitted by least squares run through the middle of the points, with their
-   * vertices outside of ridges. Curved triangles (CURVATURE and FITTED) through the vertices would
-   * lie too far out. A file format may drop the array. There is a warning if the array is missing
-   * and the mesh resembles one of vtkConformalSOM (connectivity of a geodesic sphere, or triangles
-   * of equal size). A value of 1 is then about right.
+   * Flat triangles that are fitted by least squares pass through the middle of the points. Where
+   * the object is convex, their vertices are therefore outside of the object. Curved triangles
+   * through these vertices (CURVATURE and FITTED) would be too far outside. Many file formats do
+   * not store the array "VertexShift". If the array is missing and the mesh resembles an output of
+   * vtkConformalSOM, there is a warning. The mesh resembles such an output if it has the
+   * connectivity of a geodesic sphere, or triangles of equal size. A value of 1 is then usually
+   * suitable.
    */
   vtkSetClampMacro(VertexShift, double, -1.0, 2.0);
   vtkGetMacro(VertexShift, double);
@@ -222,8 +239,8 @@ public:
 
   ///@{
   /**
-   * DomeHeight FITTED: number of rounds. Each round finds the closest points and fits the surface
-   * to them. In [0, 100]. Default is 6.
+   * DomeHeight FITTED: number of rounds of the fit. Each round finds the point of the surface that
+   * is closest to each point of the cloud, and then fits the surface. In [0, 100]. Default is 6.
    */
   vtkSetClampMacro(NumberOfFitRounds, int, 0, 100);
   vtkGetMacro(NumberOfFitRounds, int);
@@ -231,23 +248,23 @@ public:
 
   ///@{
   /**
-   * DomeHeight FITTED: weight of smoothness against closeness, per point of a vertex. In [0, 1000].
-   * Default is 0.01. Larger values smooth noise.
+   * DomeHeight FITTED: weight of the smoothness term, relative to the mean weight of the cloud's
+   * points at a vertex. In [0, 1000]. Default is 0.01. Larger values smooth noise.
    */
   vtkSetClampMacro(FitSmoothness, double, 0.0, 1000.0);
   vtkGetMacro(FitSmoothness, double);
   ///@}
 
   /**
-   * Return the map from which the last Update() sampled the output. Before the first Update() the
-   * map is not built.
+   * Return the map of which the output of the last Update() consists of samples. Before the first
+   * Update(), the map is not built.
    */
   vtkCurvedSeamlessMap* GetMap();
 
   /**
-   * Build the map of a surface with the properties of this filter, without running it. The filter's
-   * inputs are not used. The cloud may be null, but DomeHeight FITTED needs it. Returns false, with
-   * an error of the map, if the surface is not valid.
+   * Build the map of a surface with the properties of this filter, without running the filter. The
+   * filter's inputs are not used. The cloud may be null unless DomeHeight is FITTED. If the surface
+   * is not valid, the map reports an error, and the function returns false.
    */
   bool BuildMap(vtkPolyData* surface, vtkPointSet* cloud, vtkCurvedSeamlessMap* map);
 

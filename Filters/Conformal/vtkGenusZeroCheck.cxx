@@ -28,7 +28,7 @@ void AddCount(vtkFieldData* data, const char* name, conformal::Index value)
   glue::AddNumber(data, name, static_cast<long long>(value));
 }
 
-// The ids, and their number under its own name.
+// Add an array of the ids of faults, and an array with their number.
 void AddFaults(
   vtkFieldData* data, const char* countName, const char* name, const std::vector<vtkIdType>& ids)
 {
@@ -113,7 +113,8 @@ int vtkGenusZeroCheck::RequestData(
       {
         glue::WarnOfEmptyInput(this, "the surface is empty; it is not of genus zero");
       }
-      conformal::Steps steps(glue::RunOf(this), { 0.09, 0.01, 0.9 }); // reading, points, check
+      // Relative costs of reading, points and check.
+      conformal::Steps steps(glue::RunOf(this), { 0.09, 0.01, 0.9 });
       steps.next();
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = glue::ToTriangles(input, cellIds);

@@ -2,33 +2,37 @@
  * @class   vtkGenusZeroCheck
  * @brief   check whether a surface is closed, manifold, connected, of genus zero and oriented
  *
- * Pass the surface through and add field data: IsGenusZero, the numbers of boundary edges,
- * components, non-manifold edges and other faults, and the ids of faulty edges, points and cells.
- * GenusZeroReport describes the faults in words. A spreadsheet view shows them under Field Data.
+ * Check a surface and add the result as field data; the surface itself is not changed. IsGenusZero
+ * is 1 if the surface is closed, manifold, connected and without handles. Other field data hold the
+ * numbers of boundary edges, components, non-manifold edges and other faults, and the ids of faulty
+ * edges, points and cells. GenusZeroReport describes the faults in words. A spreadsheet view shows
+ * these arrays under Field Data.
  *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
  * ignored.
  *
- * Output port 0: the input, with field data about faults and where they are. Figures (vtkIdType,
- * one value):
- * - "IsGenusZero": 1 if the surface is closed, manifold, in one piece and of Euler number 2.
- *   Inconsistent orientation, triangles without area and isolated points can be repaired and do not
- *   count here.
- * - "EulerNumber": vertices - edges + triangles, without isolated points.
- * - "NumberOfBoundaryEdges".
+ * Output port 0: the input, with field data about its faults.
+ *
+ * Numbers (vtkIdType, one value each):
+ * - "IsGenusZero": 1 if the surface is closed, manifold, connected and of Euler number 2.
+ *   Inconsistent orientation, triangles without area and isolated points are ignored here, since
+ *   they can be repaired.
+ * - "EulerNumber": number of vertices minus edges plus triangles, without isolated points.
+ * - "NumberOfBoundaryEdges": edges of only one triangle.
  * - "NumberOfBoundaryLoops": connected sets of boundary edges.
  * - "NumberOfNonManifoldEdges": edges of more than two triangles.
- * - "NumberOfNonManifoldVertices": vertices with more than one fan of triangles.
- * - "NumberOfComponents".
- * - "NumberOfInconsistentEdges": edges with the same direction in both triangles.
+ * - "NumberOfNonManifoldVertices": vertices whose triangles form more than one fan.
+ * - "NumberOfComponents": connected parts of the surface.
+ * - "NumberOfInconsistentEdges": edges that have the same direction in both of their triangles,
+ *   which are thus oriented inconsistently.
  * - "NumberOfDegenerateTriangles": triangles with a repeated point or without area. Triangles with
- *   a repeated point do not count in the other figures.
- * - "NumberOfIsolatedPoints": points of no triangle.
- * - "NumberOfNonFinitePoints".
+ *   a repeated point are left out of all other numbers.
+ * - "NumberOfIsolatedPoints": points that belong to no triangle.
+ * - "NumberOfNonFinitePoints": points with a coordinate that is infinite or not a number.
  * - "IsInsideOut": 1 if the triangles of a closed, consistently oriented surface are clockwise seen
  *   from outside.
  *
- * Positions of the faults (vtkIdType, one tuple per fault):
+ * Ids of the faults (vtkIdType, one tuple for each fault):
  * - "BoundaryEdges", "NonManifoldEdges", "InconsistentEdges" (2 components): point ids.
  * - "NonManifoldVertices", "IsolatedPoints": point ids.
  * - "DegenerateTriangles": cell ids.
@@ -36,7 +40,7 @@
  * Report:
  * - "GenusZeroReport" (string): one line about the surface, and one line for each fault.
  *
- * A faulty mesh causes no error; the filter reports it in the field data.
+ * A faulty surface does not cause an error. The filter reports faults in the field data only.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkConformalDistortion vtkFeatureEdges

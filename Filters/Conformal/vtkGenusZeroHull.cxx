@@ -36,7 +36,7 @@ conformal::GenusZeroHullOptions OptionsOf(vtkGenusZeroHull* self)
   return options;
 }
 
-// Warn of problems of the points and of their hull.
+// Warn of defects of the points and of the hull.
 void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples,
   const conformal::GenusZeroHullResult& hull)
 {
@@ -76,7 +76,8 @@ void WarnAbout(vtkGenusZeroHull* self, const conformal::TrainingSamples& samples
   {
     glue::WarnOfCutHandles(self, conformal::cutFraction(hull));
   }
-  // Closed scans lose up to one point of a thousand where their points are far apart.
+  // Even without defects, up to 0.1 % of a closed scan's points are outside, where points are far
+  // apart.
   const conformal::Index noticeable = samples.totalSize() / 200;
   if (hull.NumberOfSamplesOutside > noticeable)
   {
@@ -151,7 +152,8 @@ int vtkGenusZeroHull::RequestData(
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
-      conformal::Steps steps(processes.run(), { 0.02, 0.96, 0.02 }); // samples, hull, output
+      // Relative costs of samples, hull and output.
+      conformal::Steps steps(processes.run(), { 0.02, 0.96, 0.02 });
       glue::CloudInput cloud;
       glue::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
       conformal::TrainingSamples samples(

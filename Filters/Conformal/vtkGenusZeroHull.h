@@ -2,64 +2,73 @@
  * @class   vtkGenusZeroHull
  * @brief   wrap scattered points into one closed surface without handles
  *
- * Make a closed triangle mesh around the points. It covers holes in the data, and it has no webs
- * (spurious membranes) between limbs. The field data state the size of the largest hole, the number
- * of handles that were cut open, and the number of points that lie outside.
+ * Make a closed triangle mesh without handles around scattered points. The mesh closes holes in the
+ * data, and has no webs (spurious membranes) between limbs. The field data hold the size of the
+ * largest hole, and the number of points outside of the mesh. Further field data describe the
+ * handles that were cut.
  *
- * Input port 0: vtkPointSet, points in any order. Points that are not finite are left out with a
- * warning, hidden or duplicate ghost points silently. Only WINDING_NUMBERS uses cells and normals,
- * see Method.
+ * Input port 0: vtkPointSet, points in any sequence. Points with non-finite coordinates are left
+ * out with a warning, and hidden or duplicate ghost points without a warning. Cells and normals are
+ * used only to compute winding numbers, see Method.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh of genus zero around the points, in their
- * coordinates, double precision. Triangles are counter-clockwise seen from outside. With
- * DistributeOutput, point and cell arrays "GlobalPointIds" and "GlobalCellIds" (vtkIdType) are the
- * active global ids. Field data, one value each, lengths in units of the coordinates:
- * - "AffineRank" (idtype): 3 for a solid cloud, 2 for points in a plane, 1 on a line, 0 for equal
- *   points.
- * - "Method" (idtype): classifier that was used, as the property. DISTANCE also if winding numbers
- *   cannot classify: points in a plane, fewer than 20 points, or no node inside.
- * - "NormalsUsed" (idtype): 1 if normals of the input were used to classify.
- * - "KernelWidth" (double): radius over which winding numbers were averaged; larger with noise. 0
- *   for DISTANCE.
- * - "GridSpacing" (double): Spacing, or a multiple of it where the points lie too far apart.
- * - "NumberOfInsideNodes" (idtype): grid nodes inside; for DISTANCE those farther from the points
- *   than the offset. 0 means that the points enclose nothing.
- * - "SolidEulerNumber" (idtype): Euler number of the solid inside the hull before handles were cut:
- *   1 minus the number of handles.
- * - "NumberOfCutNodes" (idtype): grid nodes removed, or added, to open the handles.
+ * Output port 0: vtkPolyData, the hull: a closed triangle mesh of genus zero around the points, in
+ * the coordinates of the input, double precision. Triangles are counter-clockwise seen from
+ * outside. The hull bounds a set of nodes of a regular grid, which were classified as inside. With
+ * DistributeOutput, the point array "GlobalPointIds" and the cell array "GlobalCellIds" (vtkIdType)
+ * are the active global ids. Field data (one value each; lengths in units of the coordinates):
+ * - "AffineRank" (idtype): dimension of the space that the points span: 3 in general, 2 for points
+ *   in a plane, 1 for points on a line, 0 for equal points.
+ * - "Method" (idtype): value of the property Method by which this hull was made, DISTANCE or
+ *   WINDING_NUMBERS. DISTANCE replaces WINDING_NUMBERS in three cases: all points are in a plane,
+ *   there are fewer than 20 points, or no grid node is inside.
+ * - "NormalsUsed" (idtype): 1 if the winding numbers were computed with normals of the input.
+ * - "KernelWidth" (double): radius over which winding numbers were averaged, which is larger for
+ *   noisy points; 0 for DISTANCE.
+ * - "GridSpacing" (double): distance between neighboring nodes of the grid. The distance is given
+ *   by Spacing. If the points are too far apart for this spacing, it is doubled until the grid is
+ *   suitable.
+ * - "NumberOfInsideNodes" (idtype): number of grid nodes inside. For DISTANCE, only nodes farther
+ *   from the points than the Offset are counted. 0 means that the points enclose nothing.
+ * - "SolidEulerNumber" (idtype): Euler number of the solid inside the hull before its handles were
+ *   cut: 1 minus the number of handles.
+ * - "NumberOfCutNodes" (idtype): number of grid nodes removed from the solid to cut handles, or
+ *   added to it to fill them.
  * - "HoleWidth", "HoleDepth" (double): size of the largest hole in the data that was closed.
- *   HoleWidth is the distance from its middle to the nearest point; HoleDepth is the largest such
- *   distance inside, behind the hole. 0 without a hole, and for WINDING_NUMBERS. The closer the two
- *   values, the less certain the inside.
- * - "Leaks" (idtype): 1 if a hole was too wide for persistence to classify inside and outside. The
- *   most likely part was then chosen as inside.
- * - "NumberOfPointsOutside" (idtype): points that the hull does not enclose: outliers, and points
- *   apart from the largest piece.
- * - "NumberOfPointsInside" (idtype): points inside the hull and apart from its surface: inner
- *   parts, and outliers.
+ *   HoleWidth is the distance from the middle of the hole to the nearest point, about the radius of
+ *   the hole. HoleDepth is the largest distance to the nearest point in the space behind the hole.
+ *   The closer the two values are, the less certain is the classification of that space as inside.
+ *   Both are 0 without a hole, and for WINDING_NUMBERS.
+ * - "Leaks" (idtype): 1 if a hole in the data is about as wide as the space behind it. Almost
+ *   nothing is then inside by the rule of Persistence, and the most likely part of space was chosen
+ *   as inside.
+ * - "NumberOfPointsOutside" (idtype): number of points outside of the hull and not near it:
+ *   outliers, and points apart from the largest connected piece.
+ * - "NumberOfPointsInside" (idtype): number of points inside the hull and not near its surface:
+ *   inner parts of the object, and outliers.
  *
  * There is one warning each for the following cases:
  * - The points enclose nothing, or Leaks is 1.
- * - Handles cannot be opened without a cut through the inside of the object or through its points.
- *   The object is not of genus zero, or parts of it touch. Limbs joined only by the offset cause no
- *   warning.
- * - More than 1 of 200 points lie outside.
- * - More than 1 of 200 points lie inside.
+ * - A handle can be cut only through the inside of the object or through its points. Then the
+ *   object is not of genus zero, or parts of it touch. Limbs that are joined only because they are
+ *   closer than twice the Offset cause no warning.
+ * - More than 0.5 % of the points are outside of the hull and not near it.
+ * - More than 0.5 % of the points are inside the hull and not near its surface.
  *
- * The hull is an own construction, not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
- * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The
- * paper's method starts from a closed surface of genus zero, which this filter provides without
- * webs between limbs.
+ * The method of this filter is an own construction of the project. The hull is not part of the
+ * paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless
+ * surface", Neurocomputing 71 (2008)). The paper's method starts from a closed surface of genus
+ * zero. This filter makes such a surface without webs between limbs.
  *
- * DISTANCE computes the distance to the points on a grid and extracts the surface at a small
- * offset. Persistence classifies inside and outside: a hole in the data is closed if the space
- * behind it is wider than the hole by the factor Persistence. Limbs closer than twice the offset
- * are joined by it, then separated in the middle between them.
+ * DISTANCE computes the distance to the points at each node of a grid. It extracts the surface at a
+ * small distance from the points, the Offset. A hole in the data is closed if the space behind it
+ * is wider than the hole by the factor Persistence. The space behind the hole is then inside. Limbs
+ * closer than twice the Offset are first joined, and then separated in the middle between them.
  *
- * WINDING_NUMBERS classifies inside and outside by all points together. The surface passes through
- * the points, or through the middle of their noise. It closes a hole in the data smoothly, as the
- * remaining points imply. Normals are those of the input, or are found by steepest descent (S. Lin
- * and others, 2022 and 2024; see Documentation/references.bib).
+ * WINDING_NUMBERS computes, at each node of a grid, the winding number of the points with their
+ * normals: about 1 inside and 0 outside. The surface passes through the points, or through the
+ * middle of their noise. A hole in the data is closed by a smooth continuation of the surface
+ * around it. Normals are those of the input, or are found by steepest descent (S. Lin and others,
+ * 2022 and 2024; see Documentation/references.bib).
  *
  * @sa
  * vtkConformalSOM vtkGenusZeroCheck vtkSurfaceMismatch
@@ -89,17 +98,17 @@ public:
 
   ///@{
   /**
-   * Classifier of inside and outside. DISTANCE (default): the distance to the points, which closes
-   * holes smaller than the space behind them. WINDING_NUMBERS: winding numbers around all points,
-   * for scans with large holes, hidden sides or noise. AUTOMATIC: the distance; where its result
-   * seems wrong, winding numbers if their result does not.
+   * Method that classifies space as inside or outside. DISTANCE (default): by the distance to the
+   * points, which closes holes smaller than the space behind them. WINDING_NUMBERS: by winding
+   * numbers of all points, for scans with large holes, hidden sides or noise. AUTOMATIC: by the
+   * distance; if the result seems wrong, by winding numbers, unless their result also seems wrong.
    *
-   * Winding numbers use the normals of the input's polygons, or else its active normals; inward
-   * normals are reversed. Normals are estimated from the points if the input has none, or, with a
-   * warning, if they contradict each other about the inside. With AUTOMATIC, the distance seems
-   * wrong in three cases: a hole as wide as the space behind it, handles, or many points left out.
-   * Winding numbers are then used if they also find little noise. This test needs about a second
-   * more of one thread.
+   * Winding numbers use the normals of the input's polygons, or the active normals if there are no
+   * polygons. Inward normals are reversed. If the input has no normals, they are estimated from the
+   * points. If the input's normals contradict each other, normals are also estimated, with a
+   * warning. With AUTOMATIC, the result of the distance seems wrong in three cases: a hole is as
+   * wide as the space behind it, there are handles, or many points are outside. Winding numbers are
+   * used only if they find little noise. The test costs about one second on one thread.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC, WINDING_NUMBERS);
   vtkGetMacro(Method, int);
@@ -110,14 +119,15 @@ public:
 
   ///@{
   /**
-   * Spacing of the grid, as a fraction of the largest distance of a point from the centroid. Gaps
-   * of up to two spacings are closed. Time and memory are proportional to its inverse cubed. In
-   * [0.002, 0.2]. Default is 0.016.
+   * Distance between neighboring nodes of the grid, as a fraction of the largest distance of a
+   * point from the centroid. Gaps between points of up to two spacings are closed. Time and memory
+   * are inversely proportional to the cube of the spacing. In [0.002, 0.2]. Default is 0.016.
    *
-   * The grid covers the bounding box of the points and needs 17 bytes per node. By default a sphere
-   * needs 2 million nodes, and 8 times as many with half the spacing. More than 268,435,456 nodes
-   * (4.6 GB) are an error, which states the smallest possible spacing for these points. For a
-   * sphere that is 0.00315; flat or thin objects allow smaller values.
+   * The grid covers the bounding box of the points and needs 17 bytes per node. By default, a
+   * sphere needs 2 million nodes, and 8 times as many with half the spacing. More than 268,435,456
+   * nodes (4.6 GB) are an error. The message of the error states the smallest possible spacing for
+   * these points. For a sphere, the smallest spacing is 0.00315. Flat or thin objects allow smaller
+   * values.
    */
   vtkSetClampMacro(Spacing, double, 0.002, 0.2);
   vtkGetMacro(Spacing, double);
@@ -125,8 +135,9 @@ public:
 
   ///@{
   /**
-   * DISTANCE: distance of the surface from the points, in spacings. WINDING_NUMBERS does not use
-   * it, since its surface passes through the points. In [0.9, 10]. Default is 1.
+   * DISTANCE: distance of the surface from the points, in units of the grid spacing.
+   * WINDING_NUMBERS does not use this property, since its surface passes through the points. In
+   * [0.9, 10]. Default is 1.
    */
   vtkSetClampMacro(Offset, double, 0.9, 10.0);
   vtkGetMacro(Offset, double);
@@ -134,8 +145,9 @@ public:
 
   ///@{
   /**
-   * DISTANCE: minimum ratio of the width behind a hole in the data to the width of the hole. Holes
-   * with a smaller ratio stay open. In [1.1, 10]. Default is 1.5.
+   * DISTANCE: factor by which the space behind a hole in the data must be wider than the hole, so
+   * that the hole is closed. Other holes stay open: the space behind them is outside. In [1.1, 10].
+   * Default is 1.5.
    */
   vtkSetClampMacro(Persistence, double, 1.1, 10.0);
   vtkGetMacro(Persistence, double);
@@ -152,9 +164,9 @@ public:
   ///@{
   /**
    * Controller of the processes that share the points. Each process runs this filter on its own
-   * piece of the points, which may be empty. The surface is that of all points together, with the
-   * same bits on any number of processes. Default is the global controller; null uses the points of
-   * this process alone.
+   * piece of the points, which may be empty. The surface encloses the points of all processes. The
+   * result is equal bit by bit for any number of processes. Default is the global controller. With
+   * null, only the points of this process are used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -162,9 +174,9 @@ public:
 
   ///@{
   /**
-   * Whether to give each process a piece of the surface: a range of its triangles, with their
-   * points and with global ids. Default is off: the first process gets the whole surface, the
-   * others get empty arrays.
+   * Whether each process gets a piece of the surface: a range of triangles, with their points and
+   * with global ids. Default is off: the first process gets the whole surface, and the other
+   * processes get an empty surface.
    */
   vtkSetMacro(DistributeOutput, bool);
   vtkGetMacro(DistributeOutput, bool);

@@ -56,7 +56,8 @@ bool IsAsBefore(const Repaired& repaired, vtkPolyData* surface)
     surface->GetNumberOfVerts() + surface->GetNumberOfLines() == 0;
 }
 
-// Point arrays of what is left, as they are, and of what was added, from the points around.
+// Copy the point arrays for remaining points. For added points, compute values from the points
+// around them.
 void CarryArrays(
   vtkObject* self, vtkPolyData* surface, const Repaired& repaired, vtkPolyData* output)
 {
@@ -157,7 +158,7 @@ void SetLoops(const Repaired& repaired, const conformal::CoordinateFrame& frame,
   glue::AddNumbers(loops->GetCellData(), "LoopAreaFraction", areas);
 }
 
-// Field data of numbers, and a report with a line for each that is not 0.
+// Writer of field data: adds numbers, and a report with one line for each number that is not 0.
 class Report
 {
 public:
@@ -275,7 +276,8 @@ int vtkGenusZeroRepair::RequestData(
       {
         return;
       }
-      conformal::Steps steps(glue::RunOf(this), { 0.04, 0.9, 0.06 }); // reading, repair, output
+      // Relative costs of reading, repair and output.
+      conformal::Steps steps(glue::RunOf(this), { 0.04, 0.9, 0.06 });
       steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       std::vector<vtkIdType> cellIds;

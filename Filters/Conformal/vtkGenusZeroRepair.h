@@ -1,60 +1,68 @@
 /**
  * @class   vtkGenusZeroRepair
- * @brief   free a triangle mesh from handles, small holes and other parts, and leave the rest alone
+ * @brief   remove handles, small holes and separate parts from a mesh, and change nothing else
  *
- * Keep the largest part of the mesh, fill its holes, and cut each handle along a short loop around
- * it or through it. The result is a closed surface of genus zero. Remaining triangles are not
- * changed. The second output has the loops; the field data state each repair.
+ * Repair a triangle mesh so that it is a closed surface of genus zero. The filter keeps the largest
+ * connected part of the mesh and fills its holes. It cuts each handle along a short loop around the
+ * handle or through it. Remaining triangles are not changed. The second output has the loops. The
+ * field data report each repair.
  *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
  * ignored.
  *
  * Output port 0: vtkPolyData, the largest part as a closed triangle mesh of genus zero, double
- * precision, triangles counter-clockwise seen from outside. No point is moved. Remaining triangles
- * keep their coordinates, bit by bit, and their order; added triangles follow them. An input that
- * needs no repair is passed unchanged. The output has
- * - cell array "OriginalCellIds" (vtkIdType): the input's cell that the triangle is, or is part of;
+ * precision. Triangles are counter-clockwise seen from outside. No point is moved. Remaining
+ * triangles keep their coordinates, bit by bit, and their sequence; added triangles follow at the
+ * end. If the input needs no repair, it is passed unchanged. The output has
+ * - cell array "OriginalCellIds" (vtkIdType): id of the input's cell from which the triangle comes;
  *   -1 for added triangles.
- * - point array "OriginalPointIds" (vtkIdType): the input's point; -1 for added points. Points
- *   along a cut are duplicated.
- * - the input's numeric point arrays. Added points get the mean of the points around them; in
- *   integer arrays of 1 component (labels) they get the most frequent label. A repair removes
+ * - point array "OriginalPointIds" (vtkIdType): id of the input's point; -1 for added points.
+ *   Points along a cut are duplicated.
+ * - the input's numeric point arrays. An added point gets the mean value of the points around it.
+ *   In integer arrays of 1 component (labels), it gets the most frequent label. A repair removes
  *   "SpherePosition", active normals, texture coordinates, and global and pedigree ids. It also
- *   removes cell arrays; "OriginalCellIds" refers to them.
+ *   removes cell arrays; use "OriginalCellIds" to look up their values in the input.
  *
- * Output port 1: vtkPolyData, a closed polyline for each place of repair, with cell arrays
- * - "LoopType" (vtkIdType): 0 (FILLED_HOLE) a boundary that was filled; 1 (OPEN_HOLE) a boundary
- *   that was too large to be filled; 2 (CUT_HANDLE) a loop around a handle that was cut through; 3
- *   (FILLED_TUNNEL) a loop through a handle whose hole was filled.
+ * Output port 1: vtkPolyData, one closed polyline for each hole or handle, with cell arrays
+ * - "LoopType" (vtkIdType): 0 (FILLED_HOLE) for the boundary of a hole that was filled; 1
+ *   (OPEN_HOLE) for the boundary of a hole that was too large to be filled; 2 (CUT_HANDLE) for a
+ *   loop around a handle that was cut through; 3 (FILLED_TUNNEL) for a loop around the opening of a
+ *   handle that was filled.
  * - "LoopLength" (double): length of the loop.
  * - "LoopAreaFraction" (double): area of the filling, as a fraction of the area of the surface.
  *
- * Field data of port 0 (one value, vtkIdType unless noted):
+ * Field data of port 0 (one value each, vtkIdType unless noted):
  * - "IsGenusZero": 1 if the output is a closed surface of genus zero, as in vtkGenusZeroCheck; 0 if
- *   a hole was left.
- * - "EulerNumber": of the output.
- * - "NumberOfHandlesCut", "NumberOfTunnelsFilled": their sum is the number of handles of the input.
- * - "NumberOfBoundariesFilled", "NumberOfBoundariesLeft".
- * - "NumberOfPartsRemoved", "NumberOfTrianglesRemoved", "RemovedAreaFraction" (double): all parts
- *   but the largest.
- * - "NumberOfPointsMerged": coincident points of open edges.
- * - "NumberOfTrianglesTurned": triangles reversed for a consistent orientation.
- * - "NumberOfTrianglesDropped": triangles with a repeated point, and duplicates.
- * - "NumberOfEdgesSeparated": edges of more than two triangles.
- * - "NumberOfTrianglesAdded".
+ *   a hole was left open.
+ * - "EulerNumber": Euler number of the output.
+ * - "NumberOfHandlesCut", "NumberOfTunnelsFilled": numbers of handles that were removed in either
+ *   way. The sum of both is the number of handles of the input.
+ * - "NumberOfBoundariesFilled", "NumberOfBoundariesLeft": numbers of holes that were filled and
+ *   that were left open.
+ * - "NumberOfPartsRemoved", "NumberOfTrianglesRemoved", "RemovedAreaFraction" (double): number of
+ *   the removed parts, number of their triangles, and their fraction of the area of the input. All
+ *   parts but the largest are removed.
+ * - "NumberOfPointsMerged": number of coincident points of open edges that were merged.
+ * - "NumberOfTrianglesTurned": number of triangles that were reversed for a consistent orientation.
+ * - "NumberOfTrianglesDropped": number of dropped triangles: those with a repeated point, and
+ *   duplicates.
+ * - "NumberOfEdgesSeparated": number of edges of more than two triangles, which were split into
+ *   edges of at most two.
+ * - "NumberOfTrianglesAdded": number of triangles that fill holes and cuts.
  * - "UntouchedFraction" (double): fraction of the input's triangles that are in the output.
- * - "RepairReport" (string): one line for each repair that was made, and for each that was not.
+ * - "RepairReport" (string): one line for each repair that was made, and for each hole that was
+ *   left open.
  *
- * There is one warning each for holes left open, other parts left out, separated edges of more than
- * two triangles, and dropped triangles. A largest part that is not orientable is an error.
+ * There is one warning each for open holes, removed parts, separated edges and dropped triangles.
+ * If the largest part is not orientable, there is an error.
  *
  * The repair is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)), whose method needs
- * surfaces of genus zero. Every handle has loops around it and loops through it. The mesh is cut
+ * surfaces of genus zero. Each handle has loops around it and loops through it. The mesh is cut
  * along a shortest loop, and both sides of the cut are filled (Wood and others 2004). Loops are
- * found after Eppstein 2003 and Erickson and Whittlesey 2005; see Documentation/references.bib.
- * Both sides have the same positions: programs that merge points by coordinates would join them
- * again.
+ * found by the methods of Eppstein 2003 and of Erickson and Whittlesey 2005; see
+ * Documentation/references.bib. Both fillings of a cut have the same positions. A program that
+ * merges points by coordinates would therefore join the sides again.
  *
  * @sa
  * vtkGenusZeroCheck vtkGenusZeroHull vtkGlobalConformalMap vtkFillHolesFilter
@@ -85,7 +93,7 @@ public:
   ///@{
   /**
    * Maximum size of a hole that is filled: area of the filling, as a fraction of the area of the
-   * surface. Larger holes stay open, with a warning. In [0, 1]. Default is 0.25.
+   * surface. Larger holes are left open, with a warning. In [0, 1]. Default is 0.25.
    */
   vtkSetClampMacro(MaximumHoleArea, double, 0.0, 1.0);
   vtkGetMacro(MaximumHoleArea, double);

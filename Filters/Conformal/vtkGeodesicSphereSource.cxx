@@ -31,7 +31,7 @@ int vtkGeodesicSphereSource::RequestData(
   return glue::RunCore(this,
     [&]()
     {
-      // For each vertex: the mesh, then points, triangles and two arrays of the output.
+      // Relative costs of the mesh, and of the points, triangles and two arrays of the output.
       conformal::Steps steps(glue::RunOf(this), { 0.26, 0.18, 0.21, 0.17, 0.18 });
       const conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency, steps.next());
       steps.next();

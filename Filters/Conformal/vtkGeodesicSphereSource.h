@@ -1,21 +1,22 @@
 /**
  * @class   vtkGeodesicSphereSource
- * @brief   make a geodesic sphere, the mesh that learning starts from
+ * @brief   make a geodesic sphere, the mesh from which vtkConformalSOM starts
  *
- * Make a closed mesh of 10 f^2 + 2 points and 20 f^2 triangles on the unit sphere, where f is the
- * Frequency. It is the network of vtkConformalSOM before training. Its points are also in the point
- * array "SpherePosition".
+ * Make a geodesic sphere: an icosahedron whose triangles are subdivided and projected onto the unit
+ * sphere. With f the Frequency, the mesh has 10 f^2 + 2 points and 20 f^2 triangles. It is the
+ * network of vtkConformalSOM before training. Its points are also in the point array
+ * "SpherePosition".
  *
- * Output port 0: vtkPolyData, a closed triangle mesh of 10 f^2 + 2 points and 20 f^2 triangles on
- * the unit sphere around the origin, where f is the Frequency. Triangles are counter-clockwise seen
- * from outside. Point 0 is the north pole (0, 0, 1).
+ * Output port 0: vtkPolyData, a closed triangle mesh of 10 f^2 + 2 points and 20 f^2 triangles,
+ * where f is the Frequency. Points lie on the unit sphere around the origin. Triangles are
+ * counter-clockwise seen from outside. Point 0 is the north pole (0, 0, 1).
  * - point array "SpherePosition" (double, 3 components): the point itself, as a unit vector.
  * - point array "Normals" (double, 3 components): outward unit normals, equal to "SpherePosition".
  *
  * The mesh is the network space of the conformal self-organizing map, Eqs. 1 and 2 of C.-Y. Liou,
  * Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
- * Neurocomputing 71 (2008). At a higher Frequency, it is the dense mesh that samples a curved
- * seamless surface.
+ * Neurocomputing 71 (2008). With a higher Frequency, the mesh defines the directions in which
+ * vtkCurvedSeamlessSurface samples a surface.
  *
  * @sa
  * vtkConformalSOM vtkCurvedSeamlessSurface
@@ -36,8 +37,8 @@ public:
 
   ///@{
   /**
-   * Number of parts into which every edge of the icosahedron is divided, f in the paper. In [1,
-   * 1000]. Default is 36, which gives 12,962 points and 25,920 triangles.
+   * Number of parts into which each edge of the icosahedron is divided, called f in the paper. In
+   * [1, 1000]. Default is 36, which gives 12,962 points and 25,920 triangles.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);

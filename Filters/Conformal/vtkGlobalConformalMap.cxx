@@ -75,7 +75,8 @@ int vtkGlobalConformalMap::RequestData(
         return;
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
-      conformal::Steps steps(glue::RunOf(this), { 0.08, 0.91, 0.01 }); // mesh, map, output
+      // Relative costs of mesh, map and output.
+      conformal::Steps steps(glue::RunOf(this), { 0.08, 0.91, 0.01 });
       const auto mesh = glue::ToClosedMesh(this, surface, frame, steps.next());
       const conformal::Mesh outward = glue::Outward(mesh);
       const conformal::GlobalConformalMapResult map =

@@ -2,42 +2,49 @@
  * @class   vtkGlobalConformalMap
  * @brief   map a closed surface to the sphere, conformally and without folds
  *
- * Give every point of a closed triangle mesh without handles its position on the sphere, the point
- * array "SpherePosition", so that angles are preserved. The paper compares its method with such
- * maps. The field data state whether the map has converged and the number of flipped triangles.
+ * Compute, for each point of a closed triangle mesh without handles, a position on the unit sphere,
+ * so that angles of triangles are preserved. The positions are the point array "SpherePosition".
+ * The field data state whether the map has converged, and the number of flipped triangles.
  *
  * Input port 0: vtkPolyData, a closed surface without handles. Polygons and strips are treated as
  * triangles. Coincident points of open edges are merged, triangles are oriented consistently, and
- * points of no triangle are dropped, each with a warning.
+ * points that belong to no triangle are dropped. Each kind of change causes a warning.
  *
- * Output port 0: the input, or, if it had to be repaired, its triangles, with
+ * Output port 0: the input, or, if the input was changed in one of these ways, its triangles, with
  * - point array "SpherePosition" (double, 3 components): position of the point on the unit sphere.
  *
- * Field data (one value):
+ * Let a string constant be the weight of an edge in the harmonic energy: half the sum of the
+ * cotangents of the two angles opposite to the edge. Field data (one value each):
  * - "Energy" (double): harmonic energy of the map. 4 pi means conformal.
- * - "NumberOfIterations" (vtkIdType): number of steps of GUYAU, or of linear solves of ROBUST.
- * - "Converged" (vtkIdType): 1 if no triangle is flipped. GUYAU must also end both phases by
- *   Tolerance, without infinite string constants.
- * - "NumberOfFlippedTriangles" (vtkIdType): flipped and flat triangles, by exact arithmetic.
- * - "SphereMapTier" (vtkIdType): steps that ROBUST needed. 0: linear equations. 1: also local
- *   unfolding of triangles. 2: insertion of the vertices one by one, which never folds. Tier 2
- *   serves AreaBalance, and conformal maps with triangles too small for double precision.
- * - "NumberOfNegativeStringConstants" (vtkIdType): edges with opposite angles that add up to more
- *   than 180 degrees.
- * - "NumberOfInfiniteStringConstants" (vtkIdType): edges of triangles without area.
+ * - "NumberOfIterations" (vtkIdType): number of steps if Method is GUYAU, or number of linear
+ *   solves if Method is ROBUST.
+ * - "Converged" (vtkIdType): 1 if no triangle is flipped. If Method is GUYAU, two more conditions
+ *   must hold: both phases of the computation have reached the Tolerance, and no string constant is
+ *   infinite.
+ * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles that are flipped or have no area on
+ *   the sphere, by exact arithmetic.
+ * - "SphereMapTier" (vtkIdType): algorithm by which ROBUST succeeded. 0: linear equations were
+ *   sufficient. 1: folded triangles were also repaired locally. 2: vertices were inserted one by
+ *   one without folds. Tier 2 is used if AreaBalance is above 0, or if triangles of the conformal
+ *   map are too small for double precision.
+ * - "NumberOfNegativeStringConstants" (vtkIdType): number of edges whose opposite angles add up to
+ *   more than 180 degrees.
+ * - "NumberOfInfiniteStringConstants" (vtkIdType): number of edges of triangles without area.
  *
  * Section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
  * seamless surface", Neurocomputing 71 (2008), compares its method with the global conformal
- * parameterization of X. Gu, S.-T. Yau. GUYAU is that procedure, with the failures that the paper
- * shows. Obtuse triangles cause negative string constants and folds; triangles without area cause
- * infinite string constants. ROBUST maps every surface one to one.
+ * parameterization of X. Gu, S.-T. Yau. GUYAU is this parameterization, with the failures that the
+ * paper shows. Obtuse triangles cause negative string constants and folds. Triangles without area
+ * cause infinite string constants. ROBUST maps every surface one to one.
  *
- * A conformal map is unique up to a Moebius transform. ROBUST moves the mean of the surface,
- * weighted by area, to the sphere's center. It then rotates the sphere for the best agreement with
- * the directions from the surface's middle.
+ * A conformal map is unique up to a Moebius transform. ROBUST chooses the transform so that the
+ * mean of the sphere positions, weighted by area on the surface, is the center of the sphere.
+ * ROBUST then rotates the sphere so that positions on the sphere agree best with directions from
+ * the middle of the surface.
  *
- * @note Limbs shrink exponentially in a conformal map. Keep SpherePosition in double precision. In
- * programs that convert the map to float, triangles seem flipped that are not.
+ * @note In a conformal map, a limb becomes exponentially smaller with its length. Keep
+ * SpherePosition in double precision. If a program converts the map to float, triangles may appear
+ * flipped that are not.
  *
  * @sa
  * vtkConformalDistortion vtkCurvedSeamlessSurface vtkSphericalAlignment vtkConformalSOM
@@ -64,8 +71,9 @@ public:
 
   ///@{
   /**
-   * Algorithm of the map. ROBUST (default): without folds, for every surface. GUYAU: as Gu and Yau
-   * published it, which folds at obtuse triangles.
+   * Algorithm that computes the map. ROBUST (default): an algorithm without folds for every
+   * surface. GUYAU: the algorithm published by Gu and Yau, which may fold triangles near obtuse
+   * triangles.
    */
   vtkSetClampMacro(Method, int, ROBUST, GUYAU);
   vtkGetMacro(Method, int);
@@ -75,9 +83,9 @@ public:
 
   ///@{
   /**
-   * ROBUST only: trade-off between conformal (0) and nearly equal in area (1). Values in between
-   * trade angles for areas, so that limbs keep their fraction of the sphere. In [0, 1]. Default is
-   * 0.
+   * ROBUST only: trade-off between a conformal map (0) and a map that nearly preserves areas (1).
+   * With larger values, limbs get a larger part of the sphere, but angles are distorted more. In
+   * [0, 1]. Default is 0.
    */
   vtkSetClampMacro(AreaBalance, double, 0.0, 1.0);
   vtkGetMacro(AreaBalance, double);
@@ -85,7 +93,7 @@ public:
 
   ///@{
   /**
-   * GUYAU only: maximum number of steps of each phase. At least 0. Default is 5000.
+   * GUYAU only: maximum number of steps in each of the two phases. At least 0. Default is 5000.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -93,8 +101,8 @@ public:
 
   ///@{
   /**
-   * GUYAU only: relative change of the energy in one step that ends a phase. In [0, 1]. Default is
-   * 1e-7.
+   * GUYAU only: a phase ends when the relative change of the energy in one step is below this
+   * value. In [0, 1]. Default is 1e-7.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);

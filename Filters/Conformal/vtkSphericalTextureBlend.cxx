@@ -132,7 +132,7 @@ int vtkSphericalTextureBlend::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-// All of the pictures, whatever part of the output is asked for.
+// Request the whole pictures for any part of the output.
 int vtkSphericalTextureBlend::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
@@ -172,7 +172,8 @@ int vtkSphericalTextureBlend::RequestData(
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels =
         AllocatePixels(result, outputVector->GetInformationObject(0), PixelsOf(front));
-      conformal::Steps steps(RunOf(this), { 0.1, 0.25, 0.65 }); // reading, view, pixels
+      // Relative costs of reading, view and pixels.
+      conformal::Steps steps(RunOf(this), { 0.1, 0.25, 0.65 });
       steps.next();
       conformal::Points copy;
       const conformal::PointView points =

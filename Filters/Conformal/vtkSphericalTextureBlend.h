@@ -2,27 +2,31 @@
  * @class   vtkSphericalTextureBlend
  * @brief   blend a picture of the front and one of the back into an image of the sphere
  *
- * Make one image of two pictures, for the texture coordinates of vtkSphericalTextureMap in a
- * projection of the whole sphere (any but STEREOGRAPHIC). The middle of the front picture lies at
- * the image's pole. The pictures fade into each other over the equator between front and back.
+ * Blend two pictures of an object into one image of the sphere, for the texture coordinates of
+ * vtkSphericalTextureMap. The projection of that filter should cover the whole sphere (any but
+ * STEREOGRAPHIC). The middle of the front picture faces the ViewDirection of that filter. The
+ * pictures fade into each other in a band around the equator between front and back.
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
- * "SpherePosition" (3 components). Its field data define how the image is laid on the sphere.
+ * "SpherePosition" (3 components). Its field data define the placement of the image on the sphere.
  *
  * Input port 1: vtkImageData, the front picture: one slice, scalars of any type and number of
- * components. Its middle lies at the surface's "SpherePole", its top towards "SphereUp".
+ * components. The middle of the picture is at the direction "SpherePole" in the surface's field
+ * data. The top of the picture is towards "SphereUp".
  *
- * Input port 2: vtkImageData, the back picture, with as many components.
+ * Input port 2: vtkImageData, the back picture: one slice, with the same number of components as
+ * the front picture.
  *
- * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the (s, t) of its
- * middle.
- * - the blended pixels, as active scalars with the name, type and components of the front picture.
- *   Integers are rounded.
+ * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the texture
+ * coordinates (s, t) of its middle.
+ * - active scalars: the blended pixels, with the name, type and number of components of the front
+ *   picture. Integers are rounded.
  *
- * Each picture is laid on its side of the surface by stereographic projection, section 4.2 of C.-Y.
- * Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
- * Neurocomputing 71 (2008). The pictures fade into each other over the equator between the two
- * poles. The texture coordinates should cover the whole sphere (any projection but STEREOGRAPHIC).
+ * Each picture is mapped to its side of the surface by stereographic projection, section 4.2 of
+ * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
+ * Neurocomputing 71 (2008). The pole of a picture is the point of the sphere at its middle. The
+ * pictures fade into each other around the curve on which both poles are equally distant. If the
+ * poles are opposite, this curve is the equator between them.
  *
  * Implementation note: the paper uses one picture. Here the second picture covers the border of the
  * first and the region behind it.
@@ -49,7 +53,8 @@ public:
 
   ///@{
   /**
-   * The pictures of the front and of the back: one slice each, with equal numbers of components.
+   * Set the pictures of the front and of the back: one slice each, with equal numbers of
+   * components.
    */
   void SetFrontConnection(vtkAlgorithmOutput* algOutput);
   void SetFrontData(vtkImageData* front);
@@ -59,8 +64,8 @@ public:
 
   ///@{
   /**
-   * Direction from the model to the viewer of the back picture, in the coordinates of the model. Of
-   * any length but 0. Default is (0, 0, -1).
+   * Direction from the model to the viewer of the back picture, in the coordinates of the model.
+   * The vector may have any length but 0. Default is (0, 0, -1).
    */
   vtkSetVector3Macro(BackViewDirection, double);
   vtkGetVector3Macro(BackViewDirection, double);
@@ -68,8 +73,8 @@ public:
 
   ///@{
   /**
-   * Direction that is up in the back picture, in the coordinates of the model. Of any length but 0,
-   * and not parallel to BackViewDirection. Default is (0, 1, 0).
+   * Direction that is up in the back picture, in the coordinates of the model. The vector may have
+   * any length but 0, and must not be parallel to BackViewDirection. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(BackViewUp, double);
   vtkGetVector3Macro(BackViewUp, double);
@@ -77,8 +82,9 @@ public:
 
   ///@{
   /**
-   * Angle on the sphere, in degrees, across the circle inscribed in each picture. 180 plus
-   * BlendAngle is just enough for the blended band. In [0.001, 340]. Default is 210.
+   * Angle on the sphere, in degrees, across the circle inscribed in each picture. If this angle is
+   * at least 180 plus BlendAngle, each picture covers the whole band in which the pictures fade
+   * into each other. In [0.001, 340]. Default is 210.
    */
   vtkSetClampMacro(FieldOfView, double, 0.001, 340.0);
   vtkGetMacro(FieldOfView, double);
@@ -86,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Angle on the sphere, in degrees, over which the pictures fade into each other. In [0, 180].
-   * Default is 30.
+   * Width of the band in which the pictures fade into each other, as an angle on the sphere, in
+   * degrees. In [0, 180]. Default is 30.
    */
   vtkSetClampMacro(BlendAngle, double, 0.0, 180.0);
   vtkGetMacro(BlendAngle, double);

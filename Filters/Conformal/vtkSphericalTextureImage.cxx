@@ -31,7 +31,8 @@ vtkCxxSetObjectMacro(vtkSphericalTextureImage, Controller, vtkMultiProcessContro
 
 namespace
 {
-// This process's part of an array that a part without points does not have.
+// Return this process's piece of the array to bake. A piece without points may lack the array; an
+// empty array of the same type is then returned.
 vtkSmartPointer<vtkDataArray> OwnPart(
   vtkPointSet* source, const std::string& name, glue::Processes& processes)
 {
@@ -75,7 +76,8 @@ vtkSmartPointer<vtkDataArray> OwnPart(
   return own;
 }
 
-// Pixels that each process has painted where it is the closest, on all of them.
+// Combine the pixels of all processes on each process. A pixel was painted only by the process that
+// has the closest point.
 void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conformal::Reduce& reduce)
 {
   constexpr vtkIdType chunkSize = 1 << 18;
@@ -91,7 +93,8 @@ void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conforma
       *sum++ = holes->GetValue(i) == 0;
       for (int c = 0; c < components; ++c, ++sum)
       {
-        // Bit patterns, each added to zeros.
+        // The bit pattern of a pixel is added to zeros of the other processes, so that it is kept
+        // exactly.
         const double value = holes->GetValue(i) ? 0.0 : pixels->GetComponent(i, c);
         std::memcpy(sum, &value, sizeof(value));
       }
@@ -111,7 +114,8 @@ void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conforma
   }
 }
 
-// A surface, and how the image lies on its sphere; both empty on processes without the surface.
+// Surface, and placement of the image on its sphere. Both are empty on processes without the
+// surface.
 struct ImageOfSurface
 {
   conformal::MappedMesh Mesh;
@@ -127,7 +131,7 @@ ImageOfSurface ReadImage(vtkPolyData* surface, const conformal::CoordinateFrame&
   return read;
 }
 
-// Paint the values of the source, or of the surface itself if there is none.
+// Paint the values of the source. If there is no source, paint the values of the surface.
 void Paint(const ImageOfSurface& read, vtkPointSet* source, const conformal::CoordinateFrame& frame,
   const conformal::PixelGrid& grid, const conformal::PixelSink& sink,
   const conformal::Reduce& reduce, const conformal::Run& run)
@@ -228,7 +232,8 @@ int vtkSphericalTextureImage::RequestData(
       const auto holes = glue::MakeHoles(result);
       const conformal::CoordinateFrame frame =
         glue::FrameOf({ surface, source }, processes.reduce());
-      conformal::Steps steps(processes.run(), { 0.05, 0.95 }); // reading, pixels
+      // Relative costs of reading and pixels.
+      conformal::Steps steps(processes.run(), { 0.05, 0.95 });
       steps.next();
       const ImageOfSurface read =
         processes.rank() == owner ? ReadImage(surface, frame) : ImageOfSurface();

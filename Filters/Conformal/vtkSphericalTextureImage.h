@@ -1,41 +1,42 @@
 /**
  * @class   vtkSphericalTextureImage
- * @brief   bake colors or arrays of a surface into an image of the sphere
+ * @brief   bake colors or other point data of a surface into an image of the sphere
  *
- * Make an image that looks like the surface when applied with the texture coordinates of
- * vtkSphericalTextureMap. Save it as PNG and load it as a Texture. Its point array OutsideSurface
- * is 1 where the map to the sphere has a hole.
+ * Make an image from the colors or another point array of a surface. With the texture coordinates
+ * of vtkSphericalTextureMap, the image shows these values on the surface. Save the image as PNG,
+ * and load it as a Texture. The point array OutsideSurface of the image is 1 where the map to the
+ * sphere has a hole.
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
- * "SpherePosition" (3 components). Its field data define how the image is laid on the sphere. Seams
- * may be split. Polygons and strips are treated as triangles.
+ * "SpherePosition" (3 components). Its field data define the placement of the image on the sphere.
+ * The surface may be cut along seams (SplitSeam). Polygons and strips are treated as triangles.
  *
- * Input port 1, optional: vtkPointSet, a source of the values in place of the surface. From a
- * vtkPolyData with triangles, the value at the closest point of its triangles is used, otherwise
- * that of the closest point. An image can thus hold all colors of a scan whose mesh was learned
- * with far fewer points.
+ * Input port 1, optional: vtkPointSet, the source of the values, which replaces the surface as the
+ * source. If the source is a vtkPolyData with triangles, a pixel gets the value at the closest
+ * point on these triangles. Otherwise it gets the value of the closest point of the source. The
+ * image can thus show all colors of a scan on a mesh with far fewer points.
  *
- * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the (s, t) of its
- * middle.
- * - the baked point array, as active scalars with the same name, type and components. Integers are
- *   rounded.
+ * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the texture
+ * coordinates (s, t) of its middle.
+ * - active scalars: the baked point array, with the same name, type and number of components.
+ *   Integers are rounded.
  * - point array "OutsideSurface" (unsigned char, 1 component): 1 where the map to the sphere has a
- *   hole; values are 0 there.
+ *   hole, otherwise 0. In holes, the baked values are 0.
  *
- * With several processes (Controller), each has its own points of the source, perhaps none. The
- * first process that has a surface must have all of it. Each process gets the whole image. A pixel
- * has the value of the closest of all points, with the same bits on any number of processes. Points
- * of a cloud are not moved between processes; triangles are gathered on each process. Without a
- * source, each process bakes its own surface.
+ * With several processes (Controller), each process has a piece of the source, which may be empty.
+ * The surface is that of the first process that has one, and this process must have the whole
+ * surface. Each process gets the whole image. The image is equal bit by bit for any number of
+ * processes. The points of a source without triangles remain on their process; triangles of a
+ * source are gathered on each process. Without a source, each process bakes its local surface.
  *
- * At the seams the image is padded with values from beyond them, as wide as TextureMargin of
- * vtkSphericalTextureMap allows.
+ * At each seam, the image is padded with the values from the other side of the seam. The width of
+ * the padding is the Margin of vtkSphericalTextureMap.
  *
- * The image inverts the texture mapping of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * The filter inverts the texture mapping of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
  * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008).
  *
- * Implementation note: a pixel shows the point of the surface whose position on the sphere lies in
- * the direction of the pixel's middle. Where many vertices share a pixel, the image undersamples
+ * Implementation note: a pixel shows the point of the surface whose position on the sphere is in
+ * the direction of the pixel's middle. If many vertices fall into one pixel, the image undersamples
  * the surface.
  *
  * @sa
@@ -63,8 +64,9 @@ public:
 
   ///@{
   /**
-   * Source of the values, sampled at the closest point, such as the colored scan from which the
-   * surface was learned. Without it the surface is the source.
+   * Set the source of the values, such as the colored scan from which the surface was learned. A
+   * pixel gets the value at the closest point of the source. Without this input, the surface is the
+   * source.
    */
   void SetSourceConnection(vtkAlgorithmOutput* algOutput);
   void SetSourceData(vtkPointSet* source);
@@ -73,7 +75,8 @@ public:
   ///@{
   /**
    * Controller of the processes that share the source. Each process runs this filter on its own
-   * piece. Default is the global controller; null uses the source of this process alone.
+   * piece of the source. Default is the global controller. With null, only the source on this
+   * process is used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -91,8 +94,9 @@ public:
   ///@{
   /**
    * Width and height of the image in pixels. For square pixels on the sphere's equator, choose a
-   * ratio of 2 : 1 for LONGITUDE_LATITUDE, 3 : 2 for CUBE_MAP (square faces), and 1 : 1 otherwise.
-   * At least (1, 1); the number of pixels must fit into an int. Default is (1024, 1024).
+   * ratio of 2 : 1 for LONGITUDE_LATITUDE, 3 : 2 for CUBE_MAP (square faces), and 1 : 1 for other
+   * projections. At least (1, 1). The number of pixels must fit into an int. Default is (1024,
+   * 1024).
    */
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);

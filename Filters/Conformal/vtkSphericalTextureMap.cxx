@@ -46,7 +46,7 @@ void AddTextureArrays(vtkPolyData* output, const conformal::SphericalTexture& te
   output->GetPointData()->AddArray(outside);
 }
 
-// Means of unit vectors are shorter.
+// Normalize interpolated vectors, since a mean of unit vectors is shorter than 1.
 void Normalize(vtkDataArray* vectors, vtkIdType firstTuple)
 {
   for (vtkIdType i = firstTuple; vectors && i < vectors->GetNumberOfTuples(); ++i)
@@ -60,7 +60,8 @@ void Normalize(vtkDataArray* vectors, vtkIdType firstTuple)
   }
 }
 
-// Points of the input in their order, then those added by the split.
+// Set the points of the output: those of the input in the same sequence, then those added by the
+// split.
 void AddSplitPoints(
   vtkPolyData* output, vtkPolyData* input, const std::vector<conformal::SurfacePlace>& added)
 {
@@ -162,7 +163,7 @@ int vtkSphericalTextureMap::RequestData(
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ input });
       options.ViewPoint = frame.toFrameFromAfar(viewPoint);
-      // For each vertex.
+      // Relative costs of the steps, all proportional to the number of vertices.
       conformal::Steps steps(glue::RunOf(this), { 0.1, 0.05, 0.7, 0.15 });
       steps.next();
       conformal::Points copy;

@@ -2,45 +2,47 @@
  * @class   vtkSphericalTextureMap
  * @brief   compute texture coordinates from a map to the sphere, for a chosen view
  *
- * Add active texture coordinates to a mapped surface. A picture that is loaded as Texture in the
- * Display section then appears with its middle facing the ViewDirection. STEREOGRAPHIC is the
- * projection of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). Three
- * more projections hold the whole sphere.
+ * Compute texture coordinates of a surface from its map to the sphere, and make them active. If a
+ * picture is loaded as Texture in the Display section, its middle then faces the ViewDirection.
+ * STEREOGRAPHIC is the projection of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
+ * Neurocomputing 71 (2008). The three other projections show the whole sphere in one image.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
  * Polygons and strips are treated as triangles.
  *
  * Output port 0: the input, with point arrays
- * - "Texture Coordinates" (float, 2 components), active: s to the right and t upwards in the image.
- *   Finite everywhere, and in [0, 1] unless Wrap is REPEAT.
- * - "OutsideImage" (unsigned char, 1 component): 1 where the point lies outside of the image.
+ * - "Texture Coordinates" (float, 2 components), active: s to the right and t upward in the image.
+ *   All values are finite. They are in [0, 1] unless Wrap is REPEAT.
+ * - "OutsideImage" (unsigned char, 1 component): 1 for points outside of the image, otherwise 0.
  *
- * With SplitSeam also
- * - point array "OriginalPointIds" (vtkIdType, 1 component): the input's point, or -1 for a point
- *   where an edge was cut. The input's points come first, in their order.
- * - cell array "OriginalCellIds" (vtkIdType, 1 component): the input's cell of which the triangle
- *   is a part. Cell data are copied, point data are interpolated on cut edges. Vertices and lines
- *   are left out.
+ * If SplitSeam is on, the output also has
+ * - point array "OriginalPointIds" (vtkIdType, 1 component): id of the input's point, or -1 for a
+ *   point where an edge was cut. Points of the input are first, in the sequence of the input.
+ * - cell array "OriginalCellIds" (vtkIdType, 1 component): id of the input's cell of which the
+ *   triangle is a part. Cell data are copied. Point data are interpolated where edges are cut.
+ *   Vertices and lines are left out.
  *
- * Field data define how the image is laid on the sphere:
+ * Field data define the placement of the image on the sphere:
  * - "SpherePole" (double, 3 components, unit vector): position of the image's middle on the sphere.
- * - "SphereUp", "SphereRight" (double, 3 components, unit vectors): directions on the sphere at the
- *   pole, towards the top and the right edge of the image.
+ * - "SphereUp", "SphereRight" (double, 3 components, unit vectors): tangent directions of the
+ *   sphere at SpherePole, towards the top and towards the right edge of the image.
  * - "TextureProjection" (vtkIdType, 1 component), "TextureFieldOfView", "TextureMargin" (double, 1
- *   component) and "TextureScale" (double, 2 components): the properties.
+ *   component) and "TextureScale" (double, 2 components): values of the properties Projection,
+ *   FieldOfView, Margin and Scale.
  *
- * A view of the model determines the pole. Stereographic projection maps the image to the sphere,
- * and the sphere to the surface: section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). The projection is
- * conformal and most regular near the pole. The other projections hold the whole sphere in one
- * image.
+ * The pole is the point of the sphere at the middle of the image. A view of the model determines
+ * the pole. Stereographic projection maps the image to the sphere, and the inverse of the surface's
+ * map continues to the surface: section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). Stereographic
+ * projection is conformal, and enlarges areas least near the pole.
  *
- * Implementation note: the paper specifies neither how a view determines the pole nor the rotation
- * of the image. Here the line of sight passes through the centroid of the surface's area, and the
- * pole is its first intersection with the surface. If the line misses the surface, the pole is the
- * surface's farthest point towards the viewer. With UseViewPoint, the pole is a chosen point. The
- * image is upright for the viewer and not mirrored, on average over a cap of an eighth of
- * FieldOfView around the pole.
+ * Implementation note: the paper does not specify how a view determines the pole and the rotation
+ * of the image. Here the line of sight passes through the centroid of the surface's area. The pole
+ * is the position on the sphere of the first intersection of this line with the surface. If there
+ * is no intersection, the vertex nearest to the viewer defines the pole. With UseViewPoint, the
+ * point of the surface closest to ViewPoint defines the pole. For the viewer, the image is upright
+ * and not mirrored. This holds on average over a cap around the pole, whose radius is an eighth of
+ * FieldOfView.
  *
  * @sa
  * vtkSphericalTextureImage vtkCurvedSeamlessSurface vtkConformalSOM vtkTextureMapToSphere
@@ -61,8 +63,8 @@ public:
 
   ///@{
   /**
-   * Direction from the model to the viewer, in the coordinates of the model. Of any length but 0.
-   * Default is (0, 0, 1).
+   * Direction from the model to the viewer, in the coordinates of the model. The vector may have
+   * any length but 0. Default is (0, 0, 1).
    */
   vtkSetVector3Macro(ViewDirection, double);
   vtkGetVector3Macro(ViewDirection, double);
@@ -70,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Direction that is up for the viewer, in the coordinates of the model. Of any length but 0, and
-   * not parallel to ViewDirection. Default is (0, 1, 0).
+   * Direction that is up for the viewer, in the coordinates of the model. The vector may have any
+   * length but 0, and must not be parallel to ViewDirection. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(ViewUp, double);
   vtkGetVector3Macro(ViewUp, double);
@@ -79,8 +81,9 @@ public:
 
   ///@{
   /**
-   * Whether the pole is at ViewPoint, viewed along the surface's normal. Default is off: the pole
-   * is where the line of sight in ViewDirection intersects the surface.
+   * Whether the middle of the image is placed at ViewPoint, viewed along the surface's normal.
+   * Default is off: the middle is placed where the line of sight in ViewDirection intersects the
+   * surface.
    */
   vtkSetMacro(UseViewPoint, bool);
   vtkGetMacro(UseViewPoint, bool);
@@ -89,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Point on the model, such as a picked one; the closest point of the surface is the pole. Used
-   * only with UseViewPoint. Default is (0, 0, 0).
+   * Point on the model, such as a picked point. The middle of the image is placed at the closest
+   * point of the surface. Used only with UseViewPoint. Default is (0, 0, 0).
    */
   vtkSetVector3Macro(ViewPoint, double);
   vtkGetVector3Macro(ViewPoint, double);
@@ -109,9 +112,10 @@ public:
 
   ///@{
   /**
-   * Projection of the image. STEREOGRAPHIC (default) is the paper's: conformal, for one picture
-   * from one side. LONGITUDE_LATITUDE (images of 2 : 1), OCTAHEDRAL (1 : 1) and CUBE_MAP (3 : 2)
-   * hold the whole sphere and have seams: use SplitSeam.
+   * Projection of the image. STEREOGRAPHIC (default): the paper's conformal projection, for one
+   * picture from one side. LONGITUDE_LATITUDE (images of 2 : 1), OCTAHEDRAL (1 : 1) and CUBE_MAP (3
+   * : 2) show the whole sphere. These three projections have seams, along which SplitSeam cuts the
+   * surface.
    */
   vtkSetClampMacro(Projection, int, STEREOGRAPHIC, CUBE_MAP);
   vtkGetMacro(Projection, int);
@@ -123,9 +127,9 @@ public:
 
   ///@{
   /**
-   * Angle on the sphere, in degrees, across the circle inscribed in the image. 180 puts that circle
-   * on the equator: the image covers a hemisphere, and a little more in its corners. Used only by
-   * STEREOGRAPHIC. In [0.001, 340]. Default is 180.
+   * Angle on the sphere, in degrees, across the circle inscribed in the image. With 180, this
+   * circle is the equator: the image covers a hemisphere, and a little more in its corners. Used
+   * only by STEREOGRAPHIC. In [0.001, 340]. Default is 180.
    */
   vtkSetClampMacro(FieldOfView, double, 0.001, 340.0);
   vtkGetMacro(FieldOfView, double);
@@ -133,7 +137,7 @@ public:
 
   ///@{
   /**
-   * Angle, in degrees, by which the image is rotated counter-clockwise about the pole, seen by the
+   * Angle, in degrees, by which the image is rotated about its middle, counter-clockwise for the
    * viewer. Default is 0.
    */
   vtkSetMacro(Rotation, double);
@@ -142,8 +146,9 @@ public:
 
   ///@{
   /**
-   * Factors by which the image is widened and heightened about its middle. (1.5, 1) shows a picture
-   * of 3 : 2 undistorted. In [0.001, 1000]. Default is (1, 1).
+   * Factors by which the width and the height of the image are scaled about its middle. Use (1.5,
+   * 1) for a picture whose sides have the ratio 3 : 2, so that it is not distorted. In [0.001,
+   * 1000]. Default is (1, 1).
    */
   vtkSetVector2Macro(Scale, double);
   vtkGetVector2Macro(Scale, double);
@@ -161,9 +166,10 @@ public:
 
   ///@{
   /**
-   * Extension of the image beyond its borders. CLAMP (default): the color of the border. REPEAT:
-   * the image again, with coordinates outside of [0, 1], for a repeating texture. MIRROR: the image
-   * mirrored at its borders; SplitSeam cuts the surface there.
+   * Extension of the image beyond its borders. CLAMP (default): the color of the border continues.
+   * REPEAT: the image is repeated; texture coordinates are then also outside of [0, 1], and the
+   * texture must be set to repeat. MIRROR: the image is mirrored at its borders, along which
+   * SplitSeam cuts the surface.
    */
   vtkSetClampMacro(Wrap, int, CLAMP, MIRROR);
   vtkGetMacro(Wrap, int);
@@ -174,12 +180,13 @@ public:
 
   ///@{
   /**
-   * Whether to cut the surface along the projection's seams and folds and along the image's
-   * borders. Then no triangle shows the image backwards or squeezed. The output consists of
-   * triangles and is no longer a closed mesh. Default is off.
+   * Whether to cut the surface along the projection's seams and folds, and along the image's
+   * borders. Without cuts, triangles that cross a seam show a large part of the image squeezed or
+   * mirrored. With cuts, the output consists of triangles and is not a closed mesh. Default is off.
    *
-   * Points on the cuts are duplicated for each side, and "OutsideImage" is equal at all corners of
-   * a triangle. STEREOGRAPHIC then has no image within 10 degrees of the opposite pole.
+   * With cuts, points on them are duplicated for each side, and "OutsideImage" is equal at all
+   * corners of a triangle. With STEREOGRAPHIC, the region within 10 degrees of the point opposite
+   * to the pole is then outside of the image.
    */
   vtkSetMacro(SplitSeam, bool);
   vtkGetMacro(SplitSeam, bool);
@@ -188,9 +195,10 @@ public:
 
   ///@{
   /**
-   * Margin along the seams of OCTAHEDRAL and CUBE_MAP, as a fraction of the side of the image
-   * (CUBE_MAP: of a face). A renderer that interpolates between pixels then finds valid values
-   * there, if the image has padding, as from vtkSphericalTextureImage. In [0, 0.25]. Default is 0.
+   * Width of the margin along the seams of OCTAHEDRAL and CUBE_MAP, as a fraction of the side of
+   * the image (CUBE_MAP: of a face). In an image of vtkSphericalTextureImage, the margin has the
+   * values of the other side of the seam. A renderer that interpolates between pixels thus shows no
+   * visible seam. In [0, 0.25]. Default is 0.
    */
   vtkSetClampMacro(Margin, double, 0.0, 0.25);
   vtkGetMacro(Margin, double);

@@ -33,7 +33,7 @@ conformal::SurfaceMismatchOptions OptionsOf(vtkSurfaceMismatch* self)
   return options;
 }
 
-// The input, with the distances of its points.
+// Pass the input to the output, and add the distances of its points.
 void PassWithDistances(
   vtkPolyData* input, vtkPolyData* output, const std::vector<double>& distances)
 {
@@ -42,13 +42,14 @@ void PassWithDistances(
   output->GetPointData()->SetActiveScalars("Distance");
 }
 
-// The model on all processes, and which of its points are this process's own.
+// Whole model, gathered on all processes, and the range of points that this process has
+// contributed.
 struct SharedModel
 {
   conformal::PointView Points;
   conformal::Triangles Triangles;
   vtkIdType FirstOwn = 0;
-  conformal::Points Copy; // of the points, if they are not viewed where they lie
+  conformal::Points Copy; // memory of Points, unless they view the input
 };
 
 void Share(vtkPolyData* model, const conformal::CoordinateFrame& frame,
@@ -134,7 +135,8 @@ int vtkSurfaceMismatch::RequestData(
       const conformal::Reduce reduce = processes.reduce();
       const conformal::CoordinateFrame frame = glue::FrameOf({ model, reference }, reduce);
       options.CoordinateUnit = frame.Unit;
-      conformal::Steps steps(processes.run(), { 0.05, 0.94, 0.01 }); // reading, figures, output
+      // Relative costs of reading, figures and output.
+      conformal::Steps steps(processes.run(), { 0.05, 0.94, 0.01 });
       steps.next();
       SharedModel shared;
       Share(model, frame, processes, reduce, shared);

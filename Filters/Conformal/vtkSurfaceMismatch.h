@@ -2,15 +2,16 @@
  * @class   vtkSurfaceMismatch
  * @brief   measure the distances between a model surface and its reference, in both directions
  *
- * Add the point array Distance to the surface and, as a second output, to the reference. The field
- * data of the surface hold the mean square distances and the largest distance.
+ * Measure the distance of each point of a surface, the model, from a reference, and of each point
+ * of the reference from the model. The distances are the point array Distance of both outputs. The
+ * field data of the first output hold mean square distances and the largest distance.
  * MeanSquarePointToSurface is the mismatch error E_mis of the paper.
  *
  * Input port 0: vtkPolyData, the model, a surface. Polygons and strips are treated as triangles.
  *
- * Input port 1: vtkPolyData, the reference, a surface or a cloud of points. Distances to a
- * reference without polygons are those to its nearest point. All points of the reference are used,
- * including points of no polygon.
+ * Input port 1: vtkPolyData, the reference, a surface or a cloud of points. The distance to a
+ * reference without polygons is the distance to its nearest point. All points of the reference are
+ * used, including points that belong to no polygon.
  *
  * Output port 0: vtkPolyData, the model.
  *
@@ -18,23 +19,27 @@
  * - point array "Distance" (double, 1 component): distance from the point to the other surface or
  *   cloud, in units of the coordinates.
  *
- * Field data of output port 0 (double, one value), in the unit of length chosen by LengthUnit:
+ * Field data of output port 0 (double, one value each). All lengths except "LengthUnit" are in the
+ * unit chosen by the property LengthUnit:
  * - "MeanSquarePointToSurface": mean square distance from the reference's points to the model's
  *   surface, the mismatch error E_mis of the paper.
  * - "MeanSquarePointToVertex": mean square distance from the reference's points to the model's
  *   nearest vertex.
- * - "MeanSquareSurfaceToPoint": mean square distance from samples, uniform over the model's area,
- *   to the reference. A model that spans a gap between two limbs can have a small E_mis; this value
- *   and the next two detect it.
- * - "HausdorffDistance": the largest distance in either direction.
- * - "WebFraction": fraction of the model's area that is farther than 0.02 from the reference.
- * - "LengthUnit": the length that counts as 1, in units of the coordinates.
+ * - "MeanSquareSurfaceToPoint": mean square distance from random samples of the model, uniform over
+ *   its area, to the reference. This value and the next two detect webs, parts of the model that
+ *   span a gap between two limbs. E_mis does not detect webs.
+ * - "HausdorffDistance": the largest of all distances from model to reference and from reference to
+ *   model.
+ * - "WebFraction": fraction of the model's area that is farther from the reference than 0.02 units
+ *   of length.
+ * - "LengthUnit": the unit of length of the other values, in units of the coordinates.
  *
- * With several processes (Controller), each has its own points of the reference, perhaps none. Of
- * the model each has all, a piece, or nothing. Model and reference are the union over all
- * processes. The figures are equal on all processes, with the same bits on any number of processes.
- * "Distance" belongs to the process's own points. Points of a cloud are not moved between
- * processes; the model, and a reference with triangles, are gathered on each process.
+ * With several processes (Controller), each process has a piece of the reference, which may be
+ * empty. Each process has the whole model, a piece, or nothing. Model and reference are the union
+ * of the pieces of all processes. The field data are equal on all processes, and equal bit by bit
+ * for any number of processes. The array "Distance" of a process is that of its local points. The
+ * points of a cloud remain on their process. The model, and a reference with triangles, are
+ * gathered on each process.
  *
  * Section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
  * seamless surface", Neurocomputing 71 (2008), defines E_mis.
@@ -68,9 +73,9 @@ public:
 
   ///@{
   /**
-   * Unit of length of the figures. MAX_RADIUS (default): the largest distance of a reference point
-   * from the centroid of all reference points. HALF_DIAGONAL: half the diagonal of the reference's
-   * bounding box. NONE: the unit of the coordinates.
+   * Unit of length of the distances in the field data. MAX_RADIUS (default): the largest distance
+   * of a reference point from the centroid of all reference points. HALF_DIAGONAL: half the
+   * diagonal of the reference's bounding box. NONE: the unit of the coordinates.
    */
   vtkSetClampMacro(LengthUnit, int, MAX_RADIUS, NONE);
   vtkGetMacro(LengthUnit, int);
@@ -81,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Number of samples of the model's surface for the distances to the reference. In [1, 100000000].
-   * Default is 60,000.
+   * Number of random samples on the model's surface from which distances to the reference are
+   * measured. In [1, 100000000]. Default is 60,000.
    */
   vtkSetClampMacro(NumberOfSamples, int, 1, 100000000);
   vtkGetMacro(NumberOfSamples, int);
@@ -90,7 +95,7 @@ public:
 
   ///@{
   /**
-   * Seed of the random positions of the samples. At least 0. Default is 1.
+   * Seed of the random positions of the samples on the model's surface. At least 0. Default is 1.
    */
   vtkSetClampMacro(RandomSeed, int, 0, VTK_INT_MAX);
   vtkGetMacro(RandomSeed, int);
@@ -98,7 +103,7 @@ public:
 
   ///@{
   /**
-   * The surface or cloud of points with which the model is compared.
+   * Set the reference: the surface or cloud of points with which the model is compared.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkPolyData* reference);
@@ -107,8 +112,8 @@ public:
   ///@{
   /**
    * Controller of the processes that share the model and the reference. Each process runs this
-   * filter on its own piece. Default is the global controller; null uses the points of this process
-   * alone.
+   * filter on its own pieces. Default is the global controller. With null, only the model and the
+   * reference of this process are used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

@@ -30,7 +30,7 @@ vtkStandardNewMacro(vtkConsistentRemesh);
 
 namespace
 {
-// The mesh that all have, with other points.
+// Set a surface to the common mesh with the points of one shape.
 void SetShape(vtkPolyData* surface, const conformal::ConsistentMeshes& meshes,
   const conformal::Points& shape, vtkCellArray* triangles, const conformal::CoordinateFrame& frame)
 {
@@ -43,7 +43,7 @@ double MeanSquareDistance(const conformal::Points& model, const conformal::Trian
   const conformal::MappedMesh& reference, const conformal::Run& run)
 {
   conformal::SurfaceMismatchOptions options;
-  options.NumberOfSamples = 1; // of the other direction
+  options.NumberOfSamples = 1; // samples are not used for this distance
   return conformal::measureSurfaceMismatch(
     model, triangles, reference.Positions, reference.Triangles, options, {}, run)
     .MeanSquarePointToSurface;
@@ -79,8 +79,8 @@ void AddModes(
   }
 }
 
-// Shares of the surfaces, their mesh, mean and modes, each block's arrays and distance, and the
-// arrays of the mean.
+// Return relative costs of the steps: surfaces, mesh, mean and modes, the arrays and the distance
+// of each block, and the arrays of the mean.
 std::vector<double> SharesOf(std::size_t numberOfSurfaces)
 {
   const double each = 1.0 / static_cast<double>(numberOfSurfaces);
@@ -93,7 +93,7 @@ std::vector<double> SharesOf(std::size_t numberOfSurfaces)
   return shares;
 }
 
-// The surfaces on their common mesh, and their mean.
+// Surfaces on the common mesh, and their mean.
 struct Remeshed
 {
   explicit Remeshed(const glue::Surfaces& surfaces)

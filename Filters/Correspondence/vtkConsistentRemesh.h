@@ -2,42 +2,48 @@
  * @class   vtkConsistentRemesh
  * @brief   put mapped surfaces on one mesh, with their mean shape and principal components
  *
- * Resample surfaces with the point array "SpherePosition" at the same points of the sphere, with
- * the same triangles. Points at the same position of the sphere correspond. The second output is
- * the mean shape with its principal components.
+ * Resample several surfaces that are mapped to the sphere, so that all of them have the same
+ * triangles and corresponding points. Points of two surfaces correspond if they have the same
+ * position on the sphere, the point array "SpherePosition". The second output is the mean shape
+ * with its principal components.
  *
- * Input port 0 (repeatable): vtkPolyData, the surfaces, one by one or as blocks of composite data,
- * with the point array "SpherePosition". Polygons and strips are cut into triangles. Each surface
- * has
+ * Input port 0 (repeatable): vtkPolyData, the surfaces, as separate inputs or as blocks of
+ * composite data, with the point array "SpherePosition". Polygons and strips are cut into
+ * triangles. Each surface has
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
- *   sphere. Equal positions correspond. The surface must be closed, and the map must cover the
- *   sphere exactly once. Either all maps mirror their surfaces, or none.
+ *   sphere. Points with equal positions correspond. The surface must be closed, and the map must
+ *   cover the sphere exactly once. Either all maps mirror their surfaces, or no map does.
  *
- * Output port 0: vtkMultiBlockDataSet with one block for each surface, in their order, with the
- * names of the input's blocks. A block is a vtkPolyData with the points of that surface, in place,
- * in directions shared by all blocks. The polygons of all blocks are identical.
+ * Output port 0: vtkMultiBlockDataSet with one block for each surface, in the sequence of the
+ * inputs, with the names of the input's blocks. A block is a vtkPolyData. The points of a block are
+ * points of one surface, sampled in directions on the sphere that are equal for all blocks. Blocks
+ * are not aligned. The polygons of all blocks are identical.
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - the point arrays of the surface, interpolated as in vtkSphericalResample.
- * - field data "MeanSquarePointToSurface" (double): mean square distance from the surface's points
- *   to the block, in squares of the surface's largest radius, as in vtkSurfaceMismatch.
- * - field data "ShapeScores" (double, one component per mode; absent without modes): number of
- *   standard deviations of each mode between the shape and the mean.
+ * - field data "MeanSquarePointToSurface" (double): mean square distance between the points of the
+ *   input surface and the block, as in vtkSurfaceMismatch. The unit of length is the largest
+ *   distance of a point of the surface from its centroid.
+ * - field data "ShapeScores" (double, one component per mode; absent if there are no modes):
+ *   coordinates of the shape along the principal components, the modes. The unit is the standard
+ *   deviation of the mode; the mean shape has the score 0.
  *
- * Output port 1: vtkPolyData, the mean shape on the same mesh, after Alignment of the surfaces; it
- * lies where the first surface does.
+ * Output port 1: vtkPolyData, the mean shape on the same mesh, computed after Alignment of the
+ * surfaces. The position and orientation of the mean shape are those of the first surface.
  * - point array "SpherePosition" (double, 3 components): the directions.
- * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement by
- *   one standard deviation of a principal component. If all modes are kept, the aligned shape is
- *   the mean points plus the sum of scores times modes.
- * - the point arrays that all surfaces have: the mean of numbers, the most frequent label.
- * - field data "ExplainedVariance" (double, one value per mode; absent without modes): fraction of
- *   the variance.
+ * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement of
+ *   each point of the mean shape for one standard deviation of a principal component. If all modes
+ *   are kept, each aligned shape is the mean shape plus the sum of its scores times the modes.
+ * - the point arrays that all surfaces have. A number is the mean over the surfaces; a label
+ *   (integer array with 1 component) is the most frequent label.
+ * - field data "ExplainedVariance" (double, one value per mode; absent if there are no modes):
+ *   fraction of the variance of the shapes that the mode explains.
  *
- * Points are weighted by the area around them, in the mean over the surfaces. The result therefore
- * does not depend on where the mesh is dense. The same input gives the same bits on any number of
- * threads.
+ * For alignment, mean and modes, each point is weighted by the area around it, averaged over the
+ * surfaces. The result therefore does not depend on where the mesh is dense. The output is equal
+ * bit by bit for any number of threads.
  *
- * Implementation note: generalized Procrustes alignment after J. C. Gower, Psychometrika 40 (1975).
+ * Implementation note: shapes are aligned by the generalized Procrustes analysis of J. C. Gower,
+ * Psychometrika 40 (1975).
  *
  * @sa
  * vtkSphericalAlignment vtkSphericalMorph vtkSphericalResample vtkSurfaceMismatch
@@ -74,8 +80,8 @@ public:
   ///@{
   /**
    * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces, as in
-   * vtkAdaptiveSphere, and dense where any surface needs it. GEODESIC: points are uniform over the
-   * sphere.
+   * vtkAdaptiveSphere. The mesh of the sphere is then dense in regions that are large on a surface.
+   * GEODESIC: points are uniform over the sphere.
    */
   vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -85,7 +91,8 @@ public:
 
   ///@{
   /**
-   * GEODESIC: frequency f, for 10 f^2 + 2 points. In [1, 10000]. Default is 45: 20,252 points.
+   * GEODESIC: frequency f of the geodesic sphere (vtkGeodesicSphereSource), which has 10 f^2 + 2
+   * points. In [1, 10000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 10000);
   vtkGetMacro(Frequency, int);
@@ -93,7 +100,8 @@ public:
 
   ///@{
   /**
-   * ADAPTIVE: number of points, reached within 2 percent. In [500, 100000000]. Default is 20,000.
+   * ADAPTIVE: number of points of the mesh. The actual number differs by at most 2 percent. In
+   * [500, 100000000]. Default is 20,000.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);
@@ -101,8 +109,9 @@ public:
 
   ///@{
   /**
-   * Transforms that are removed from the shapes before they are compared. NONE: none. RIGID
-   * (default): position and orientation. SIMILARITY: position, orientation and size.
+   * Differences between the shapes that are removed before mean and principal components are
+   * computed. NONE: no difference. RIGID (default): position and orientation. SIMILARITY: position,
+   * orientation and size.
    */
   vtkSetClampMacro(Alignment, int, NONE, SIMILARITY);
   vtkGetMacro(Alignment, int);
@@ -113,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Number of principal components to keep, largest first. There are fewer of them than surfaces.
-   * In [0, 1000]. Default is 10.
+   * Maximum number of principal components to keep, those of the largest variance first. The number
+   * of components is less than the number of surfaces. In [0, 1000]. Default is 10.
    */
   vtkSetClampMacro(NumberOfModes, int, 0, 1000);
   vtkGetMacro(NumberOfModes, int);

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkSphericalAlignment);
 
 namespace
 {
-// Places on the sphere and what they correspond to.
+// Corresponding pairs of positions on the sphere, with weights.
 struct Pairs
 {
   conformal::Points From, To;
@@ -56,7 +56,8 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
   const conformal::Run& run)
 {
   const conformal::CoordinateFrame frame = glue::FrameOf({ surface, reference });
-  conformal::Steps steps(run, { 0.03, 0.03, 0.94 }); // reference, surface, foot points
+  // Relative costs of reference, surface and foot points.
+  conformal::Steps steps(run, { 0.03, 0.03, 0.94 });
   steps.next();
   conformal::MappedMesh other;
   other.Positions = glue::ToPoints(reference->GetPoints(), frame);
@@ -139,9 +140,9 @@ int vtkSphericalAlignment::RequestData(
       {
         return;
       }
-      glue::RequireCellIds(surface); // which landmarks need not, but the output has
+      glue::RequireCellIds(surface); // landmarks do not use cells, but the output has them
       const bool hasLandmarks = !landmarks.empty();
-      // Map, pairs, transform, map, output.
+      // Relative costs of reading the map, pairs, transform, new map and output.
       conformal::Steps steps(glue::RunOf(this), { 0.01, 0.55, 0.4, 0.01, 0.03 });
       steps.next();
       conformal::Points map = glue::ToSpherePositions(surface);

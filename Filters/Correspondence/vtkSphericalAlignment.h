@@ -1,32 +1,34 @@
 /**
  * @class   vtkSphericalAlignment
- * @brief   align one surface's map to the sphere with another one's
+ * @brief   align the sphere map of one surface with the sphere map of another surface
  *
- * Transform a surface's map, the point array "SpherePosition", for the best agreement with the map
- * of a reference. Corresponding points are pairs of landmarks, or, if the two surfaces overlap in
- * space, nearest points. The field array AlignmentError is the remaining distance.
+ * Rotate or transform a surface's map to the sphere, the point array "SpherePosition", so that it
+ * agrees best with the map of a reference surface. Corresponding points are given as pairs of
+ * landmarks. Without landmarks, nearest points correspond, and the two surfaces must overlap in
+ * space. The field array AlignmentError is the remaining distance between corresponding points.
  *
  * Input port 0: vtkPolyData, the surface whose map is transformed, with the point array
  * "SpherePosition" (3 components).
  *
- * Input port 1: vtkPolyData, the reference surface, with the same array.
+ * Input port 1: vtkPolyData, the reference surface, with the point array "SpherePosition".
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the transformed map.
  *
  * Field data (double):
- * - "AlignmentError" (one value): root mean square distance that remains between corresponding
- *   points, on the unit sphere.
- * - "AlignmentCenter" (3 components): the point of the unit ball that was moved to its center; the
- *   zero vector for a rotation.
- * - "AlignmentRotation" (9 components): the rotation that follows, row by row.
+ * - "AlignmentError" (one value): root mean square distance between corresponding points on the
+ *   unit sphere, after the transform.
+ * - "AlignmentCenter" (3 components): the point of the unit ball that the Moebius transform moves
+ *   to the center; the zero vector for a rotation.
+ * - "AlignmentRotation" (9 components): the rotation that is applied afterwards, as a matrix, row
+ *   by row.
  *
- * Landmarks, pairs of points, define the correspondence. Without landmarks the surfaces must
- * overlap in space, as a scan and a mesh learned from it do. Each point then corresponds to the
- * nearest point of the other surface, weighted by the area around it.
+ * Landmarks are pairs of points, one of each surface, that correspond. Without landmarks, the
+ * surfaces must overlap in space, as a scan and a mesh learned from this scan. Each point then
+ * corresponds to the nearest point of the other surface, and is weighted by the area around it.
  *
- * Conformal maps to the sphere are unique up to a Moebius transform, which can move any three
- * points to any three positions. Maps in the sense of sections 2 and 4.1 of C.-Y. Liou, Y.-T. Kuo,
+ * Conformal maps to the sphere are unique up to a Moebius transform. Such a transform can move any
+ * three points to any three positions. Maps as in sections 2 and 4.1 of C.-Y. Liou, Y.-T. Kuo,
  * J.-C. Huang, "Conformal self-organizing map on curved seamless surface", Neurocomputing 71
  * (2008), are therefore comparable only after an alignment.
  *
@@ -58,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Type of the transform of the map. ROTATION (default) preserves angles and areas. MOEBIUS
-   * preserves angles.
+   * Type of the transform of the map. ROTATION (default): a rotation, which preserves angles and
+   * areas. MOEBIUS: a Moebius transform, which preserves angles only.
    */
   vtkSetClampMacro(Transform, int, ROTATION, MOEBIUS);
   vtkGetMacro(Transform, int);
@@ -69,9 +71,9 @@ public:
 
   ///@{
   /**
-   * Add a pair of corresponding point ids: one of the surface and one of the reference. A rotation
-   * needs at least two pairs, a Moebius transform at least three. Default is none: nearest points
-   * correspond.
+   * Add a pair of corresponding points: the id of a point of the surface, and the id of a point of
+   * the reference. A rotation needs at least two pairs, and a Moebius transform at least three.
+   * Default is none: nearest points correspond.
    */
   void AddLandmark(vtkIdType pointId, vtkIdType referencePointId);
   void RemoveAllLandmarks();
@@ -80,7 +82,7 @@ public:
 
   ///@{
   /**
-   * The reference surface, with the point array "SpherePosition".
+   * Set the reference surface, which has the point array "SpherePosition".
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkPolyData* reference);

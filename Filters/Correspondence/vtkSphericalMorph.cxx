@@ -30,7 +30,8 @@
 
 vtkStandardNewMacro(vtkSphericalMorph);
 
-// The mesh that all morph factors have in common, and what it was made of.
+// Surfaces sampled on a common mesh, which does not depend on the morph factor. The inputs and
+// options are stored, so that the mesh is made again only after a change.
 struct vtkSphericalMorph::Common
 {
   static std::shared_ptr<const Common> of(const glue::Surfaces& surfaces,
@@ -45,7 +46,7 @@ struct vtkSphericalMorph::Common
     return made;
   }
 
-  std::vector<vtkMTimeType> Times; // of the surfaces
+  std::vector<vtkMTimeType> Times; // modification times of the surfaces
   conformal::ConsistentRemeshOptions Options;
   conformal::CoordinateFrame Frame;
   conformal::ConsistentMeshes Meshes;
@@ -70,7 +71,8 @@ conformal::ConsistentRemeshOptions RemeshOptionsOf(vtkSphericalMorph* self)
   return options;
 }
 
-// Weights of the surfaces, of sum 1: those given, or those of a morph factor.
+// Return the weights of the surfaces, with the sum 1: the given weights or, without any, those of
+// the morph factor.
 std::vector<double> SharesOf(std::vector<double> weights, double factor, std::size_t size)
 {
   if (size < 2)
@@ -112,8 +114,8 @@ void SetTime(vtkPolyData* output, bool isTimed, double time)
   }
 }
 
-// Shares of the surfaces and the mesh that they have in common, unless it is kept, and of the
-// shape, the weights, the arrays and the output.
+// Return relative costs of the steps: surfaces and common mesh, unless the mesh is kept, then
+// shape, weights, arrays and output.
 std::vector<double> SharesOf(bool isKept, conformal::MorphPath path)
 {
   std::vector<double> shares;
@@ -194,7 +196,7 @@ int vtkSphericalMorph::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-// The time asked for, if any.
+// Return the requested time, or MorphFactor if no time is requested.
 double vtkSphericalMorph::FactorOf(vtkInformation* outputInformation) const
 {
   using Executive = vtkStreamingDemandDrivenPipeline;

@@ -1,40 +1,44 @@
 /**
  * @class   vtkSphericalMorph
- * @brief   morph mapped surfaces: any shape between two or more, also as time steps
+ * @brief   morph between two or more mapped surfaces, also as time steps
  *
- * Morph surfaces with the point array "SpherePosition": points at the same position of the sphere
- * correspond, as after vtkSphericalAlignment. Colors and other point arrays that all surfaces have
- * are blended. With GenerateTimeSteps the time slider plays the morph.
+ * Compute a shape between two or more surfaces that are mapped to the sphere. Points of two
+ * surfaces correspond if they have the same position on the sphere, the point array
+ * "SpherePosition". Use vtkSphericalAlignment first, if necessary. Colors and other point arrays
+ * that all surfaces have are blended. With GenerateTimeSteps, the time slider plays the morph.
  *
- * Input port 0: vtkPolyData, the first surface, or composite data of several, with the point array
- * "SpherePosition". Polygons and strips are cut into triangles.
+ * Input port 0: vtkPolyData, the first surface, or composite data of several surfaces, with the
+ * point array "SpherePosition". Polygons and strips are cut into triangles.
  *
- * Input port 1 (optional): vtkPolyData or composite data, more surfaces. The surfaces of both
- * ports, in this order, are morphed; at least two are needed. Each surface has
+ * Input port 1 (optional): vtkPolyData or composite data, more surfaces. The filter morphs the
+ * surfaces of input port 0, followed by those of input port 1. At least two surfaces are required.
+ * Each surface has
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
- *   sphere. Equal positions correspond (vtkSphericalAlignment). The map must cover the sphere
- *   exactly once. Either all maps mirror their surfaces, or none.
+ *   sphere. Points with equal positions correspond. The map must cover the sphere exactly once.
+ *   Either all maps mirror their surfaces, or no map does.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh: the weighted sum of the points of all
- * surfaces in the directions of one mesh of the sphere. If one surface has weight 1, the output is
- * that surface in these directions. The same input gives the same bits on any number of threads.
- * - point array "SpherePosition" (double, 3 components): the directions, for textures and baked
- *   images as on the surfaces.
+ * Output port 0: vtkPolyData, the morphed surface, a closed triangle mesh. All surfaces are sampled
+ * in the directions of one mesh of the sphere. A point of the output is the weighted sum of the
+ * surfaces' points in one direction. If one surface has weight 1, the output is this surface,
+ * sampled in these directions. The output is equal bit by bit for any number of threads.
+ * - point array "SpherePosition" (double, 3 components): the directions. Images of the sphere, such
+ *   as textures, fit the output as they fit the surfaces.
  * - every numeric point array that all surfaces have with the same name and number of components.
- *   Numbers are weighted sums, so colors cross-fade. Labels (integers of 1 component) are those of
- *   the largest weight. vtkSphericalResample describes which arrays are labels.
+ *   Numbers are weighted sums, so that colors cross-fade. Labels (integer arrays with 1 component)
+ *   are not mixed: a point gets the label of the largest total weight. vtkSphericalResample
+ *   describes which arrays are labels.
  *
  * Field data (double):
- * - "MorphWeights" (1 component, a value for each surface): the weights.
+ * - "MorphWeights" (1 component, one value for each surface): the weights, whose sum is 1.
  *
- * With GenerateTimeSteps the filter is a source of time steps from 0 to 1, which are factors, so
- * that an animation plays the morph. The mesh of the sphere and the surfaces in its directions do
- * not depend on the factor. They are kept between runs until the inputs change.
+ * With GenerateTimeSteps, the filter offers time steps from 0 to 1, and the requested time is the
+ * MorphFactor. An animation thus plays the morph. The sampled surfaces do not depend on the factor.
+ * The filter keeps the sampled surfaces until an input or a property of the mesh changes.
  *
  * Implementation note: RIGID interpolates deformation gradients of triangles as in D. Xu, H. Zhang,
- * Q. Wang, H. Bao, "Poisson shape interpolation", Graphical Models 68 (2006). It propagates
- * rotations from triangle to triangle. A part may rotate against the whole by more than half a
- * turn, but by less than a whole turn.
+ * Q. Wang, H. Bao, "Poisson shape interpolation", Graphical Models 68 (2006). RIGID propagates
+ * rotations from triangle to triangle. A part may therefore rotate by more than 180 degrees
+ * relative to the whole, but must rotate by less than 360 degrees.
  *
  * @sa
  * vtkSphericalAlignment vtkConsistentRemesh vtkSphericalResample vtkSphericalTextureMap
@@ -73,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Morph factor: 0 gives the first surface, 1 the last. With more than two surfaces, the others
-   * lie at equal steps in between. In [0, 1]. Default is 0.5.
+   * Morph factor: 0 gives the first surface, and 1 the last surface. If there are more than two
+   * surfaces, the others are at equal steps between 0 and 1. In [0, 1]. Default is 0.5.
    */
   vtkSetClampMacro(MorphFactor, double, 0.0, 1.0);
   vtkGetMacro(MorphFactor, double);
@@ -82,8 +86,9 @@ public:
 
   ///@{
   /**
-   * Add a weight, in place of the factor: one for each surface, in their order. Weights are at
-   * least 0 and not all 0; they are divided by their sum. Default is none: MorphFactor is used.
+   * Add the weight of the next surface. Weights replace MorphFactor: add one weight for each
+   * surface, in the sequence of the surfaces. Weights are at least 0, and not all are 0. The filter
+   * divides all weights by their sum. Default is none: MorphFactor is used.
    */
   void AddWeight(double weight);
   void RemoveAllWeights();
@@ -92,9 +97,9 @@ public:
 
   ///@{
   /**
-   * Path of the points. LINEAR (default): straight lines, on which rotating parts shrink. RIGID:
-   * triangles rotate and stretch evenly, and one linear system joins them again; a rotating limb
-   * keeps its size.
+   * Path of the points. LINEAR (default): points move along straight lines, so that rotating parts
+   * become smaller in between. RIGID: rotation and stretch of each triangle are interpolated, then
+   * a linear system joins the triangles. A rotating limb thus keeps its size.
    */
   vtkSetClampMacro(Path, int, LINEAR, RIGID);
   vtkGetMacro(Path, int);
@@ -105,8 +110,8 @@ public:
   ///@{
   /**
    * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces, as in
-   * vtkAdaptiveSphere, and dense where any surface needs it. GEODESIC: points are uniform over the
-   * sphere.
+   * vtkAdaptiveSphere. The mesh of the sphere is then dense in regions that are large on a surface.
+   * GEODESIC: points are uniform over the sphere.
    */
   vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -116,7 +121,8 @@ public:
 
   ///@{
   /**
-   * GEODESIC: frequency f, for 10 f^2 + 2 points. In [1, 10000]. Default is 45: 20,252 points.
+   * GEODESIC: frequency f of the geodesic sphere (vtkGeodesicSphereSource), which has 10 f^2 + 2
+   * points. In [1, 10000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 10000);
   vtkGetMacro(Frequency, int);
@@ -124,7 +130,8 @@ public:
 
   ///@{
   /**
-   * ADAPTIVE: number of points, reached within 2 percent. In [500, 100000000]. Default is 20,000.
+   * ADAPTIVE: number of points of the mesh. The actual number differs by at most 2 percent. In
+   * [500, 100000000]. Default is 20,000.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);
@@ -132,7 +139,7 @@ public:
 
   ///@{
   /**
-   * Whether to be a source of time steps: the requested time, in [0, 1], replaces MorphFactor.
+   * Whether the output has time steps. If on, the requested time, in [0, 1], replaces MorphFactor.
    * Default is off.
    */
   vtkSetMacro(GenerateTimeSteps, bool);
@@ -142,7 +149,7 @@ public:
 
   ///@{
   /**
-   * Number of time steps. At least 2. Default is 25.
+   * Number of time steps if GenerateTimeSteps is on. At least 2. Default is 25.
    */
   vtkSetClampMacro(NumberOfTimeSteps, int, 2, 100000);
   vtkGetMacro(NumberOfTimeSteps, int);
@@ -150,8 +157,8 @@ public:
 
   ///@{
   /**
-   * The surface to morph to, or several as composite data, with the point array "SpherePosition".
-   * Optional if the input has several surfaces.
+   * Set the last surface of the morph, or several surfaces as composite data, with the point array
+   * "SpherePosition". Optional if the input has several surfaces.
    */
   void SetTargetConnection(vtkAlgorithmOutput* output);
   void SetTargetData(vtkDataObject* target);
@@ -181,7 +188,7 @@ private:
   int NumberOfTimeSteps = 25;
 
   struct Common;
-  std::shared_ptr<const Common> Kept; ///< of the inputs of the last run
+  std::shared_ptr<const Common> Kept; ///< sampled inputs of the last run
 };
 
 #endif

@@ -61,7 +61,8 @@ void AddTargets(vtkPointData* data, const conformal::Points& places,
   std::vector<vtkIdType> cellIds;
   const conformal::Triangles cells = glue::ToTriangles(fixedData, cellIds);
   const conformal::MappedMesh& mesh = fixed.Core.Surface;
-  // Cells are known by their points, since triangles were perhaps turned or left out.
+  // Triangles are matched to cells by their point ids, since some triangles may be reversed or left
+  // out.
   std::vector<std::pair<std::array<vtkIdType, 3>, vtkIdType>> known(cellIds.size());
   for (std::size_t r = 0; r < cellIds.size(); ++r)
   {
@@ -98,14 +99,15 @@ void AddTargets(vtkPointData* data, const conformal::Points& places,
   glue::AddVectors(data, "TargetBarycentric", weights);
 }
 
-// The two surfaces of a registration.
+// Surfaces of a registration: the moving and the fixed one.
 struct RegisteredPair
 {
   vtkPolyData *Moving, *Fixed;
   glue::SurfaceToRegister From, To;
 };
 
-// The vertices of all landmarks, those of point ids first.
+// Return the vertices of all landmarks: first landmarks given by point ids, then landmarks given by
+// positions.
 std::vector<std::pair<int, int>> LandmarksOf(const RegisteredPair& surfaces,
   const std::vector<std::pair<vtkIdType, vtkIdType>>& ids,
   const std::vector<std::array<double, 6>>& positions)
@@ -247,7 +249,7 @@ int vtkSphericalRegistration::RequestData(
         return;
       }
       const std::vector<double> weights = glue::WeightsOf(features);
-      // Reading of each surface, registration, targets.
+      // Relative costs of reading each surface, registration and targets.
       conformal::Steps steps(glue::RunOf(this), { 0.02, 0.02, 0.92, 0.04 });
       RegisteredPair pair{ moving, fixed, {}, {} };
       pair.From =

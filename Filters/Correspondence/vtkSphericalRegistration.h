@@ -1,43 +1,52 @@
 /**
  * @class   vtkSphericalRegistration
- * @brief   deform a surface's map to the sphere until it corresponds to another one's
+ * @brief   deform the sphere map of one surface until it corresponds to the sphere map of another
  *
- * Deform a surface's map, the point array "SpherePosition", so that corresponding points of both
- * surfaces have the same position on the sphere. Correspondence comes from landmarks, point arrays,
- * or the surfaces' own shape. No triangle of the map folds. The arrays TargetCellId, TargetPointIds
- * and TargetBarycentric hold the corresponding point of each point.
+ * Deform the map of a surface to the sphere, its point array "SpherePosition". Corresponding points
+ * of this surface and a second, fixed surface then have the same position on the sphere.
+ * Corresponding points are found by landmarks, by point arrays, or by the shape of both surfaces.
+ * No triangle of the map folds. The arrays TargetCellId, TargetPointIds and TargetBarycentric hold,
+ * for each point, the corresponding point of the fixed surface.
  *
- * Input port 0: vtkPolyData, the moving surface: closed, of genus zero, with the point array
- * "SpherePosition" (3 components), a map that covers the sphere once without folds.
+ * Input port 0: vtkPolyData, the moving surface, whose map is deformed: closed, of genus zero, with
+ * the point array "SpherePosition" (3 components). This map must cover the sphere once without
+ * folds.
  *
  * Input port 1: vtkPolyData, the fixed surface, with the same requirements.
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the deformed map. Points of both surfaces
- *   at the same position of the sphere correspond.
- * - point array "TargetPointIds" (idtype, 3 components): corners of the triangle of the fixed
- *   surface that contains the corresponding point.
- * - point array "TargetBarycentric" (double, 3 components): weights of these corners, at least 0
- *   and of sum 1.
- * - point array "TargetCellId" (idtype, 1 component): the cell of the fixed surface.
+ *   correspond if they have the same position on the sphere.
+ * - point array "TargetPointIds" (idtype, 3 components): ids of the corners of the triangle of the
+ *   fixed surface that contains the corresponding point.
+ * - point array "TargetBarycentric" (double, 3 components): barycentric coordinates of the
+ *   corresponding point in this triangle, at least 0 and of sum 1.
+ * - point array "TargetCellId" (idtype, 1 component): id of the cell of the fixed surface that
+ *   contains the corresponding point.
  *
  * Field data:
  * - "RegistrationStretch" (1 double): symmetric Dirichlet energy of the map between the surfaces,
- *   scaled to equal area: 1 if they are isometric.
- * - "LandmarkError" (1 double): largest distance between corresponding landmarks that remains on
- *   the unit sphere.
- * - "FeatureAgreement" (2 double): mean correlation of the features before and after.
- * - "NumberOfFolds" (1 idtype): flipped triangles of the map, by exact arithmetic.
+ *   after both are scaled to equal area. The energy measures stretch. It is 1 if the surfaces are
+ *   isometric, and larger otherwise.
+ * - "LandmarkError" (1 double): largest distance on the unit sphere between two corresponding
+ *   landmarks, after the registration.
+ * - "FeatureAgreement" (2 double): weighted mean of the correlations between the features of both
+ *   surfaces, first before the registration, then after it. Features are described below.
+ * - "NumberOfFolds" (1 idtype): number of flipped triangles of the deformed map, by exact
+ *   arithmetic.
  *
- * Without landmarks the filter compares features that it computes from the surfaces: mean geodesic
- * distance, nearby area at two scales, mean curvature at two scales. Point arrays added by
- * AddFeature() are further features. Several rotations with the best agreement are deformed. The
- * result with the least stretch, the best agreement and the closest fit after a rotation in space
- * is kept. Mirror images are never tried. Two or more landmarks determine the rotation; one
- * landmark adds to the criteria.
+ * Features are numbers at the points of both surfaces that should be equal at corresponding points.
+ * The filter computes five features from each surface: mean geodesic distance, nearby area at two
+ * scales, and mean curvature at two scales. Point arrays added by AddFeature() are further
+ * features. The filter first rotates the map. If there are two or more landmarks, they determine
+ * the rotation. Otherwise the filter selects several rotations for which the features agree best.
+ * The rotated maps are then deformed, and the result with the lowest score is kept. The score is
+ * the sum of three penalties: stretch, disagreement of features, and difference of the shapes after
+ * a rotation in space. The distances between corresponding landmarks are a further penalty. Mirror
+ * images are never tried.
  *
- * Landmarks are matched as closely as the map allows without folds. A warning states how many are
- * not matched.
+ * Landmarks are matched as closely as the map allows without folds. If some landmarks are not
+ * matched, a warning states their number.
  *
  * @sa
  * vtkSphericalAlignment vtkSphericalMorph vtkSphericalResample
@@ -70,8 +79,9 @@ public:
 
   ///@{
   /**
-   * Type of the transform of the map. ROTATION preserves angles and areas. MOEBIUS preserves
-   * angles. DIFFEOMORPHIC (default) is any deformation without folds.
+   * Type of the transform of the map. ROTATION: a rotation, which preserves angles and areas.
+   * MOEBIUS: a Moebius transform, which preserves angles. DIFFEOMORPHIC (default): any smooth
+   * deformation without folds.
    */
   vtkSetClampMacro(SpaceOfTransforms, int, ROTATION, DIFFEOMORPHIC);
   vtkGetMacro(SpaceOfTransforms, int);
@@ -82,8 +92,10 @@ public:
 
   ///@{
   /**
-   * Weight of the features that the filter computes itself; 0 disables them. In [0, 1000]. Default
-   * is 1.
+   * Weight of the features that the filter computes from the shape of the surfaces. 0 disables
+   * these features. In [0, 1000]. Default is 1.
+   *
+   * The features are mean geodesic distance, nearby area, and mean curvature.
    */
   vtkSetClampMacro(ShapeWeight, double, 0.0, 1000.0);
   vtkGetMacro(ShapeWeight, double);
@@ -91,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Weight of the stretch between the surfaces against that of the features. In [0.001, 1000].
-   * Default is 1.
+   * Weight of the stretch of the map between the surfaces, relative to the weights of the features.
+   * In [0.001, 1000]. Default is 1.
    */
   vtkSetClampMacro(StretchWeight, double, 0.001, 1000.0);
   vtkGetMacro(StretchWeight, double);
@@ -100,8 +112,9 @@ public:
 
   ///@{
   /**
-   * Frequency f of the finest geodesic sphere that is deformed, with 10 f^2 + 2 vertices. Time is
-   * proportional to f^2. In [8, 128]. Default is 16.
+   * Resolution of the deformation. The deformation is computed at the vertices of geodesic spheres,
+   * from coarse to fine. This property is the frequency f of the finest sphere, which has 10 f^2 +
+   * 2 vertices. Time is proportional to f^2. In [8, 128]. Default is 16.
    */
   vtkSetClampMacro(Frequency, int, 8, 128);
   vtkGetMacro(Frequency, int);
@@ -109,8 +122,8 @@ public:
 
   ///@{
   /**
-   * Add a pair of corresponding point ids: one of the moving and one of the fixed surface. Default
-   * is none.
+   * Add a landmark, a pair of corresponding points: the id of a point of the moving surface, and
+   * the id of a point of the fixed surface. Default is none.
    */
   void AddLandmark(vtkIdType pointId, vtkIdType fixedPointId);
   void RemoveAllLandmarks();
@@ -119,8 +132,9 @@ public:
 
   ///@{
   /**
-   * Add a pair of corresponding positions, such as picked ones: one near the moving and one near
-   * the fixed surface. The nearest points of the surfaces are used. Default is none.
+   * Add a landmark by a pair of corresponding positions, such as picked positions: one near the
+   * moving surface, and one near the fixed surface. The nearest points of the surfaces are used.
+   * Default is none.
    */
   void AddLandmarkPosition(
     double x, double y, double z, double fixedX, double fixedY, double fixedZ);
@@ -130,9 +144,10 @@ public:
 
   ///@{
   /**
-   * Add a point array of 1 component of both surfaces as a feature to match, with a weight. The
-   * weight is finite and at least 0; that of the stretch is StretchWeight. Each array is shifted
-   * and scaled to mean 0 and variance 1 over its surface. Default is none.
+   * Add a feature to match: the name of a point array with 1 component that both surfaces have, and
+   * a weight. The weight is finite and at least 0. A weight is relative to StretchWeight, the
+   * weight of the stretch. On each surface, the values of the array are shifted and scaled to mean
+   * 0 and variance 1. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();
@@ -141,7 +156,7 @@ public:
 
   ///@{
   /**
-   * The fixed surface: closed, of genus zero, with the point array "SpherePosition".
+   * Set the fixed surface: closed, of genus zero, with the point array "SpherePosition".
    */
   void SetFixedConnection(vtkAlgorithmOutput* output);
   void SetFixedData(vtkPolyData* fixed);

@@ -25,7 +25,8 @@ vtkStandardNewMacro(vtkSphericalResample);
 
 namespace
 {
-// The array, or else the points, if they lie on a sphere around the origin.
+// Return the array "SpherePosition" or, without this array, the points, which must be on a sphere
+// around the origin.
 conformal::Points SpherePositionsOf(
   vtkPolyData* surface, const conformal::Points& positions, const char* what)
 {
@@ -104,7 +105,7 @@ void WarnOfFolds(vtkObject* self, conformal::Index numberOfFolds)
   }
 }
 
-// The target with the arrays of the source.
+// Return a copy of the target with the resampled arrays of the source.
 vtkNew<vtkPolyData> Resampled(vtkObject* self, vtkPolyData* target, vtkPolyData* source,
   const conformal::ResampleWeights& weights, bool isMasked, const conformal::Run& run)
 {
@@ -158,7 +159,7 @@ int vtkSphericalResample::RequestData(
       }
       const bool isAdaptive = options.Method == conformal::ResampleMethod::AreaAdaptive;
       const bool isMasked = !maskName.empty();
-      // Source, target, weights, mask, arrays.
+      // Relative costs of source, target, weights, mask and arrays.
       conformal::Steps steps(glue::RunOf(this), { 0.04, 0.04, 0.82, isMasked ? 0.02 : 0.0, 0.1 });
       steps.next();
       const conformal::MappedMesh from = ToMapped(source, "source");

@@ -1,41 +1,44 @@
 /**
  * @class   vtkSphericalResample
- * @brief   carry point arrays from one surface to another by their maps to the sphere
+ * @brief   transfer point arrays from one surface to another by their maps to the sphere
  *
- * Transfer the point arrays of one surface to another: points at the same position of the sphere
- * correspond. Numbers and colors are averaged; labels (arrays of integers with 1 component) and
- * masks are voted on. Both surfaces have the point array "SpherePosition", and their maps must
- * correspond, as after vtkSphericalAlignment.
+ * Transfer the point arrays of one surface, the source, to another surface, the target. Points of
+ * both surfaces correspond if they have the same position on the sphere, the point array
+ * "SpherePosition". The maps must be aligned, as after vtkSphericalAlignment. Numbers and colors
+ * are averaged. For labels and masks (integer arrays with 1 component), the value of the largest
+ * weight is used.
  *
- * Input port 0: vtkPolyData, the target: the surface that gets the arrays, with the point array
- * "SpherePosition" or points that lie on a sphere around the origin. Polygons and strips are cut
- * into triangles.
+ * Input port 0: vtkPolyData, the target: the surface that gets the arrays. This surface has the
+ * point array "SpherePosition", or its points are on a sphere around the origin. Polygons and
+ * strips are cut into triangles.
  *
  * Input port 1: vtkPolyData, the source: the surface that has the arrays. Both surfaces have
  * - point array "SpherePosition" (3 components, of any length but 0, float or double): position of
- *   the point on the sphere. Equal positions correspond. Surfaces must be closed, and maps must
- *   cover the sphere once. With BARYCENTRIC this does not apply to the target, which may be without
- *   triangles. Without the array, points that lie on a sphere around the origin (within a
- *   thousandth of its radius, as in files of radius 100) are the map themselves.
+ *   the point on the sphere. Points with equal positions correspond. The surface must be closed,
+ *   and the map must cover the sphere once. If Method is BARYCENTRIC, the target need not be
+ *   closed, and may have no triangles. Without this array, the coordinates of the points are used
+ *   as positions. Then all points must be on a sphere around the origin, within a thousandth of its
+ *   radius.
  *
- * Output port 0: the target, with every numeric point array of the source that has a name. Target
- * arrays of equal name are replaced. "SpherePosition", active normals and texture coordinates,
- * ghosts, and global and pedigree ids of the source are not transferred.
- * - arrays of integers with 1 component are labels or masks: each point gets the label of the
- *   largest total weight, or the smallest label of several.
- * - all other arrays are numbers: each point gets their weighted mean in the array's own type,
- *   rounded for integers such as colors. Values that are not finite are ignored; points without
- *   finite values get 0, with one warning.
- * - point array "ResampleMask" (unsigned char, 1 component), with MaskArrayName: 1 where there are
- *   values; 0, with values of 0, where all contributing points of the source are masked.
+ * Output port 0: the target, with every named numeric point array of the source. Arrays of the
+ * target that have the same name are replaced. The source's "SpherePosition", active normals and
+ * texture coordinates, ghost array, and global and pedigree ids are not transferred.
+ * - integer arrays with 1 component are labels or masks. Each point gets the label with the largest
+ *   total weight. If several labels have this weight, the smallest of them is used.
+ * - all other arrays are numbers. Each point gets the weighted mean in the type of the array;
+ *   integers such as colors are rounded. Values that are not finite are ignored. A point without
+ *   finite values gets 0, and there is one warning for all such points.
+ * - point array "ResampleMask" (unsigned char, 1 component), only with MaskArrayName: 1 for points
+ *   that have values. It is 0 if the mask excludes all source points that would contribute; the
+ *   transferred values are then also 0.
  *
- * The same input gives the same bits on any number of threads.
+ * The output is equal bit by bit for any number of threads.
  *
- * Weights are those of Connectome Workbench: BARYCENTRIC is its BARYCENTRIC, and AREA_ADAPTIVE is
- * its ADAP_BARY_AREA with the two surfaces as its area surfaces. Labels are those of its
- * -label-resample.
+ * Weights are those of Connectome Workbench. BARYCENTRIC is equal to the method BARYCENTRIC of that
+ * program. AREA_ADAPTIVE is equal to its method ADAP_BARY_AREA with the two surfaces as area
+ * surfaces. Labels are equal to those of its command -label-resample.
  *
- * Folds of the source's map cause a warning: values are discontinuous there.
+ * If the source's map has folds, there is a warning, since values are discontinuous at folds.
  *
  * @sa
  * vtkSphericalAlignment vtkSphericalMorph vtkConsistentRemesh
@@ -66,10 +69,11 @@ public:
 
   ///@{
   /**
-   * Interpolation. AREA_ADAPTIVE (default): each point of the source contributes by the area around
-   * it, so that none is skipped; where the target is finer, it interpolates. BARYCENTRIC:
-   * barycentric coordinates in the source's triangle around the target's point; where the target is
-   * coarser, points of the source are skipped.
+   * Method of interpolation. BARYCENTRIC: a point of the target gets the values at the corners of
+   * the source's triangle around it, weighted by barycentric coordinates. Where the target is
+   * coarser than the source, some source points are not used. AREA_ADAPTIVE (default): each point
+   * of the source contributes in proportion to the area around it, so that all source points are
+   * used. Where the target is finer than the source, AREA_ADAPTIVE interpolates like BARYCENTRIC.
    */
   vtkSetClampMacro(Method, int, BARYCENTRIC, AREA_ADAPTIVE);
   vtkGetMacro(Method, int);
@@ -79,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Name of a point array of the source with 1 component. Points with the value 0, such as those of
-   * a medial wall, are ignored. Default is empty: all points are used.
+   * Name of a mask, a point array of the source with 1 component. Points of the source with the
+   * value 0, such as those of a medial wall, are ignored. Default is empty: all points are used.
    */
   vtkSetMacro(MaskArrayName, std::string);
   vtkGetMacro(MaskArrayName, std::string);
@@ -88,8 +92,8 @@ public:
 
   ///@{
   /**
-   * The surface that has the arrays, with the point array "SpherePosition" or points that lie on a
-   * sphere around the origin.
+   * Set the source: the surface that has the arrays. This surface has the point array
+   * "SpherePosition", or its points are on a sphere around the origin.
    */
   void SetSourceConnection(vtkAlgorithmOutput* output);
   void SetSourceData(vtkPolyData* source);

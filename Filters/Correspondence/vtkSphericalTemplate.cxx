@@ -31,7 +31,7 @@ vtkStandardNewMacro(vtkSphericalTemplate);
 
 namespace
 {
-// The vertices that an array has numbers above 0 for.
+// Return the vertices that are landmarks, by the number above 0 in the landmark array.
 std::map<double, int> LandmarksOf(
   vtkPolyData* surface, const glue::SurfaceToRegister& registered, const std::string& arrayName)
 {
@@ -68,7 +68,8 @@ std::map<double, int> LandmarksOf(
   return landmarks;
 }
 
-// The vertices, in the order of the numbers that all surfaces must have.
+// Return the vertices sorted by landmark number. All surfaces must have the numbers of the first
+// surface.
 std::vector<int> Ordered(
   const std::map<double, int>& landmarks, const std::map<double, int>& ofFirst)
 {
@@ -93,11 +94,11 @@ std::vector<int> Ordered(
   return vertices;
 }
 
-// The surfaces that are registered: those that are not empty.
+// Surfaces to register, which are those that are not empty.
 struct UsedSurfaces
 {
   glue::Surfaces All;
-  std::vector<std::size_t> Numbers; // of the used ones among all
+  std::vector<std::size_t> Numbers; // index in All of each surface that is not empty
   conformal::CoordinateFrame Frame;
 };
 
@@ -118,7 +119,7 @@ UsedSurfaces UsedSurfacesOf(vtkInformationVector* inputs)
   return used;
 }
 
-// What the template is made of, and the surfaces that it is read from.
+// Surfaces as read from the input, and the same surfaces as input of the registration.
 struct ReadSurfaces
 {
   std::vector<glue::SurfaceToRegister> Registered;
@@ -161,7 +162,7 @@ ReadSurfaces ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
   return inputs;
 }
 
-// All surfaces as blocks, those that were used with their registered maps.
+// Return all surfaces as blocks. Surfaces that were registered have their new maps.
 vtkNew<vtkMultiBlockDataSet> BlocksOf(const UsedSurfaces& surfaces, const ReadSurfaces& inputs,
   const conformal::SphericalTemplateResult& result)
 {
@@ -293,7 +294,8 @@ int vtkSphericalTemplate::RequestData(
       std::vector<double> shares(
         surfaces.Numbers.size(), 0.02 / static_cast<double>(surfaces.Numbers.size()));
       shares.push_back(0.98);
-      conformal::Steps steps(glue::RunOf(this), shares); // reading of each surface, template
+      // Relative costs of reading each surface and template.
+      conformal::Steps steps(glue::RunOf(this), shares);
       const ReadSurfaces inputs = ReadInputs(this, surfaces, features, landmarkArrayName, steps);
       const conformal::SphericalTemplateResult result =
         conformal::findSphericalTemplate(inputs.Core, weights, options, steps.next());

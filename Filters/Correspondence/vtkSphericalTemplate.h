@@ -1,42 +1,50 @@
 /**
  * @class   vtkSphericalTemplate
- * @brief   register many mapped surfaces with their mean, so that all of them correspond
+ * @brief   register several mapped surfaces with their mean, so that all of them correspond
  *
- * Deform the maps of all surfaces, their point arrays "SpherePosition", so that corresponding
- * points of all surfaces have the same position on the sphere. Each surface is registered with the
- * mean of all surfaces, in several rounds. The second output is the mean surface.
+ * Deform the maps of several surfaces to the sphere, their point arrays "SpherePosition".
+ * Corresponding points of all surfaces then have the same position on the sphere. In several
+ * rounds, each surface is registered with the mean of all surfaces, as in vtkSphericalRegistration.
+ * The second output is the mean surface.
  *
- * Input port 0 (repeatable): vtkPolyData, the surfaces, one by one or as blocks of composite data:
- * closed, of genus zero, in one coordinate system, with the point array "SpherePosition". Each
- * surface has
+ * Input port 0 (repeatable): vtkPolyData, the surfaces, as separate inputs or as blocks of
+ * composite data. All surfaces are closed, of genus zero, in one coordinate system, with the point
+ * array "SpherePosition". Each surface has
  * - point array "SpherePosition" (3 components): a map that covers the sphere once without folds.
  *
- * Output port 0: vtkMultiBlockDataSet with one block for each surface, in their order, with the
- * names of the input's blocks. A block is the input surface, with
- * - point array "SpherePosition" (double, 3 components): the deformed map. Points of all surfaces
- *   at the same position of the sphere correspond.
- * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement" and "NumberOfFolds", as
- *   in vtkSphericalRegistration, of the registration with the mean.
+ * Output port 0: vtkMultiBlockDataSet with one block for each surface, in the sequence of the
+ * inputs, with the names of the input's blocks. A block is the input surface, with
+ * - point array "SpherePosition" (double, 3 components): the deformed map. Points of two surfaces
+ *   correspond if they have the same position on the sphere.
+ * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement" and "NumberOfFolds": as
+ *   in vtkSphericalRegistration, for the last registration with the mean.
  *
- * Output port 1: vtkPolyData, the mean surface after Alignment of the surfaces, with 10 f^2 + 2
- * points, where f is MeanFrequency. It lies where the start does.
- * - point array "SpherePosition" (double, 3 components): the directions, uniform over the sphere.
- * - field data "TemplateChange" (double, one value per round; absent without rounds): rms distance
- *   between the mean's points and those of the round before, divided by the rms radius.
- * - field data "TemplateStart" (idtype, 1 value): number of the surface that was the start.
+ * Output port 1: vtkPolyData, the mean surface, computed after Alignment of the surfaces, with 10
+ * f^2 + 2 points, where f is MeanFrequency. The position and orientation of the mean surface are
+ * those of the start, a surface that is described below.
+ * - point array "SpherePosition" (double, 3 components): the points of a geodesic sphere, which are
+ *   uniform over the sphere.
+ * - field data "TemplateChange" (double, one value per round; absent without rounds): change of the
+ *   mean in the round. It is the root mean square distance between corresponding points of the mean
+ *   and the previous mean, divided by the root mean square radius.
+ * - field data "TemplateStart" (idtype, 1 value): number of the input surface that was the start,
+ *   counted from 0.
  *
- * First, all surfaces are registered with the first surface; the surface closest to the mean of
- * their shapes becomes the start. Next, all surfaces are registered with the start, as in
- * vtkSphericalRegistration. Each round then registers all surfaces with the mean positions and mean
- * features of the round before. Landmarks, if any, are used in each step.
+ * First, all surfaces are registered with the first surface. The surface whose shape is closest to
+ * the mean of the registered shapes becomes the start. Next, all surfaces are registered with the
+ * start. Each round then registers all surfaces with the mean positions and mean features of the
+ * previous round. Landmarks, if any, are used in all registrations.
  *
- * The order of the surfaces affects only the last digits, unless it changes the start, see
- * TemplateStart. The same input gives the same bits on any number of threads.
+ * The sequence of the surfaces can change which surface is the start, see TemplateStart. With the
+ * same start, results for different sequences differ only by rounding. The output is equal bit by
+ * bit for any number of threads.
  *
- * Empty blocks stay empty, with a warning; missing blocks are left out.
+ * An empty block of the input gives an empty block of the output, with a warning. Missing blocks
+ * are left out.
  *
- * The mean has the mesh of a geodesic sphere. vtkConsistentRemesh, applied to output port 0,
- * computes a mean that is dense where the surfaces are large, with modes and the surfaces' arrays.
+ * The mean has the triangles of a geodesic sphere. To compute a mean whose points are uniform over
+ * the surfaces, apply vtkConsistentRemesh to output port 0. That mean also has principal
+ * components, and the point arrays of the surfaces.
  *
  * @sa
  * vtkSphericalRegistration vtkConsistentRemesh vtkSphericalMorph
@@ -70,8 +78,9 @@ public:
 
   ///@{
   /**
-   * Maximum number of rounds; with 0 all surfaces are registered with the start only. Each round
-   * costs one registration per surface. In [0, 100]. Default is 4.
+   * Maximum number of rounds of registration with the mean. With 0, surfaces are registered only
+   * with one of the surfaces, the start. Each round costs one registration per surface. In [0,
+   * 100]. Default is 4.
    */
   vtkSetClampMacro(MaximumNumberOfRounds, int, 0, 100);
   vtkGetMacro(MaximumNumberOfRounds, int);
@@ -79,8 +88,9 @@ public:
 
   ///@{
   /**
-   * Change of the mean that ends the rounds: rms distance divided by the rms radius. In [0, 1].
-   * Default is 0.01.
+   * The rounds end when the change of the mean in a round is below this value. The change is the
+   * root mean square distance between corresponding points of the old and the new mean, divided by
+   * the root mean square radius. In [0, 1]. Default is 0.01.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -88,8 +98,9 @@ public:
 
   ///@{
   /**
-   * Transforms that are removed from the shapes before their mean is computed. NONE: none. RIGID
-   * (default): position and orientation. SIMILARITY: position, orientation and size.
+   * Differences between the shapes that are removed before their mean is computed. NONE: no
+   * difference. RIGID (default): position and orientation. SIMILARITY: position, orientation and
+   * size.
    */
   vtkSetClampMacro(Alignment, int, NONE, SIMILARITY);
   vtkGetMacro(Alignment, int);
@@ -100,8 +111,8 @@ public:
 
   ///@{
   /**
-   * Frequency f of the mean's geodesic sphere, with 10 f^2 + 2 points. In [8, 1000]. Default is 45:
-   * 20,252 points.
+   * Frequency f of the geodesic sphere whose triangles the mean surface has. The mean has 10 f^2 +
+   * 2 points. In [8, 1000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(MeanFrequency, int, 8, 1000);
   vtkGetMacro(MeanFrequency, int);
@@ -109,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Weight of the features that the filter computes itself, as in vtkSphericalRegistration; 0
-   * disables them. In [0, 1000]. Default is 1.
+   * Weight of the features that the filter computes from the shape of the surfaces, as in
+   * vtkSphericalRegistration. 0 disables these features. In [0, 1000]. Default is 1.
    */
   vtkSetClampMacro(ShapeWeight, double, 0.0, 1000.0);
   vtkGetMacro(ShapeWeight, double);
@@ -118,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Weight of the stretch against that of the features, as in vtkSphericalRegistration. In [0.001,
-   * 1000]. Default is 1.
+   * Weight of the stretch of the maps between surfaces, relative to the weights of the features, as
+   * in vtkSphericalRegistration. In [0.001, 1000]. Default is 1.
    */
   vtkSetClampMacro(StretchWeight, double, 0.001, 1000.0);
   vtkGetMacro(StretchWeight, double);
@@ -127,8 +138,8 @@ public:
 
   ///@{
   /**
-   * Frequency of the finest geodesic sphere that is deformed, as in vtkSphericalRegistration. In
-   * [8, 128]. Default is 16.
+   * Resolution of the deformation: frequency of the finest geodesic sphere at whose vertices the
+   * deformation is computed, as in vtkSphericalRegistration. In [8, 128]. Default is 16.
    */
   vtkSetClampMacro(Frequency, int, 8, 128);
   vtkGetMacro(Frequency, int);
@@ -136,9 +147,10 @@ public:
 
   ///@{
   /**
-   * Name of a point array of 1 component that marks landmarks. Points with the same number above 0
-   * correspond; points with 0 are no landmarks. Every surface must have the same numbers, each at
-   * one point. Default is empty: no landmarks.
+   * Name of a point array with 1 component that marks landmarks. The value of a landmark is a
+   * number above 0, and all other points have the value 0. Landmarks with the same number
+   * correspond. Every surface must have the same numbers, each at exactly one point. Default is
+   * empty: no landmarks.
    */
   vtkSetMacro(LandmarkArrayName, std::string);
   vtkGetMacro(LandmarkArrayName, std::string);
@@ -146,8 +158,8 @@ public:
 
   ///@{
   /**
-   * Add a point array of 1 component of all surfaces as a feature to match, with a weight, as in
-   * vtkSphericalRegistration. Default is none.
+   * Add a feature to match: the name of a point array with 1 component that all surfaces have, and
+   * a weight, as in vtkSphericalRegistration. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();

@@ -66,7 +66,7 @@ void AddRelief(vtkPolyData* output, const conformal::Mesh& body, bool isEllipsoi
   vtkNew<vtkDoubleArray> axes;
   axes->SetName("ReferenceAxes");
   axes->SetNumberOfComponents(9);
-  axes->InsertNextTuple(reference.Axes.data()); // by columns, which the axes are
+  axes->InsertNextTuple(reference.Axes.data()); // column by column: each column is an axis
   output->GetFieldData()->AddArray(axes);
 }
 
@@ -89,7 +89,7 @@ void SetGraticule(vtkPolyData* output, const std::vector<conformal::GraticuleLin
     const conformal::Index count = line.Positions.rows();
     if (count < 2)
     {
-      continue; // the map has a hole there
+      continue; // the line is in a hole of the map
     }
     points.middleRows(first, count) = line.Positions;
     cells->InsertNextCell(static_cast<int>(count));
@@ -108,7 +108,7 @@ void SetGraticule(vtkPolyData* output, const std::vector<conformal::GraticuleLin
   glue::AddNumbers(output->GetCellData(), "Degrees", degrees);
 }
 
-// One place on the sphere should belong to one point.
+// Measure how the map covers the sphere. One direction should belong to only one point of the body.
 conformal::SphereCoverage CoverageOf(const conformal::MappedMesh& body)
 {
   conformal::Triangles triangles = body.Triangles;
@@ -156,7 +156,7 @@ void AddPoles(vtkPolyData* output, const conformal::BodyCoordinates& coordinates
   AddPoint(output->GetFieldData(), "BodyMarker", coordinates.Marker, frame);
 }
 
-// Set the points of the optional places.
+// Move the optional places to their positions on the body.
 void SetPlaces(vtkPolyData* output, vtkPolyData* places, const conformal::MappedMesh& body,
   const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
@@ -184,7 +184,7 @@ conformal::BodyCoordinatesOptions OptionsOf(vtkBodyMap* self)
   return options;
 }
 
-// Move the points of the options into a frame.
+// Convert the points in the options from the unit of the user to a frame.
 void ToFrame(conformal::BodyCoordinatesOptions& options, const conformal::CoordinateFrame& frame)
 {
   if (!options.Center.allFinite() || !options.MarkerPoint.allFinite())

@@ -2,49 +2,55 @@
  * @class   vtkBodyMap
  * @brief   give a mapped body longitudes and latitudes, heights and slopes
  *
- * Transform the surface's map to the sphere, the point array "SpherePosition". Its poles come to
- * lie on the rotation axis, and longitude 0 passes through a marker. The second output has
- * meridians and parallels on the body. The third output has places given by longitude and latitude.
+ * Compute longitude, latitude, height and slope at each point of a body that is mapped to the
+ * sphere. The filter transforms the map, the point array "SpherePosition". The poles are then on
+ * the rotation axis, and longitude 0 passes through a marker. The second output has meridians and
+ * parallels on the body. The third output has places that are given by longitude and latitude.
  * These coordinates are neither planetocentric nor planetographic.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components), as
  * written by vtkGlobalConformalMap. Polygons and strips are treated as triangles.
  *
- * Input port 1, optional: vtkPolyData with points on the map: outlines, paths, landing sites. x is
- * the longitude and y the latitude, in degrees.
+ * Input port 1, optional: vtkPolyData, places on the map, such as outlines, paths or landing sites.
+ * The coordinate x of a point is its longitude, and y is its latitude, in degrees.
  *
  * Output port 0: the input of port 0, with point arrays (double)
- * - "SpherePosition" (3 components): the same map, after a transform that preserves angles. The
- *   north pole is (0, 0, 1), longitude 0 lies towards (1, 0, 0).
- * - "Longitude" in [0, 360), to the east, in degrees.
- * - "Latitude" in [-90, 90], in degrees.
- * - "Height": distance from the center of a reference ellipsoid or sphere, minus that of the
- *   reference in the same direction.
- * - "Slope": angle between the normals of surface and reference, in degrees, in [0, 180].
+ * - "SpherePosition" (3 components): the map of the input, after a transform that preserves angles.
+ *   The north pole is (0, 0, 1). Longitude 0 is towards (1, 0, 0).
+ * - "Longitude": longitude, increasing to the east, in degrees, in [0, 360).
+ * - "Latitude": latitude, in degrees, in [-90, 90].
+ * - "Height": height of the point over the reference, an ellipsoid or sphere. The height is the
+ *   distance of the point from the center of the reference, minus the distance of the reference
+ *   from this center in the same direction.
+ * - "Slope": angle between the normals of the surface and of the reference, in degrees, in [0,
+ *   180].
  *
  * Output port 1: vtkPolyData, meridians and parallels on the body as polylines, with cell arrays
  * - "IsMeridian" (vtkIdType): 1 for a meridian, 0 for a parallel.
  * - "Degrees" (double): longitude of the meridian, or latitude of the parallel.
  *
- * Output port 2: the input of port 1 with its points on the body, by the inverse of the map.
+ * Output port 2: the input of port 1, with each point moved to its position on the body, by the
+ * inverse of the map.
  *
- * Field data of port 0 (double): "BodyNorthPole", "BodySouthPole", "BodyMarker" (3 components) are
- * points of the body. "ReferenceCenter", "ReferenceRadii" (3 components) and "ReferenceAxes" (9
- * components, axis by axis) describe the reference.
+ * Field data of port 0 (double): "BodyNorthPole", "BodySouthPole" and "BodyMarker" (3 components)
+ * are the positions of the poles and of the marker on the body. "ReferenceCenter", "ReferenceRadii"
+ * (3 components) and "ReferenceAxes" (9 components, axis by axis) describe the reference.
  *
- * The poles are the intersections of the rotation axis with the surface that are farthest from
- * Center on either side. East is counter-clockwise around the north pole seen from outside, even if
- * the map was mirrored. The transform balances the body's area between north and south, weighted by
- * the sine of the latitude.
+ * The poles are intersections of the rotation axis with the surface: on each side of Center, the
+ * one farthest from Center. East is counter-clockwise around the north pole seen from outside, even
+ * if the input's map was mirrored. The transform balances north and south: the mean of the sine of
+ * the latitude over the area of the body is 0.
  *
- * @note These are coordinates of a map, one to one on bodies of any shape. On such bodies a
- * direction from a center may intersect the surface several times or not at all. The coordinates
- * are neither planetocentric nor planetographic: latitude is no angle at the center or at the axis,
- * longitude is no angle of rotation, and degrees have no common length. They depend on the mesh and
- * on the chosen map. Do not mix them with coordinates of a catalog. See Documentation/Filters.md.
+ * @note Longitude and latitude are coordinates of a map to the sphere. These coordinates are one to
+ * one on bodies of any shape, even if a ray from the center intersects the surface several times.
+ * The coordinates are neither planetocentric nor planetographic. Latitude is not an angle at the
+ * center or at the axis, and longitude is not an angle of rotation. The length of a degree differs
+ * from place to place. The coordinates depend on the mesh and on the chosen map. Do not combine
+ * these coordinates with coordinates of a catalog. See Documentation/Filters.md.
  *
- * The coordinates are not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)).
+ * This method is an own construction of the project. The coordinates are not part of the paper
+ * (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
+ * Neurocomputing 71 (2008)).
  *
  * @sa
  * vtkBodyMapImage vtkGlobalConformalMap vtkSphericalTextureMap
@@ -73,7 +79,8 @@ public:
 
   ///@{
   /**
-   * Places on the map, to be put on the body: x is the longitude, y the latitude, in degrees.
+   * Set the places whose positions on the body are computed. The coordinate x of a point is its
+   * longitude, and y is its latitude, in degrees.
    */
   void SetPlacesConnection(vtkAlgorithmOutput* algOutput);
   void SetPlacesData(vtkPolyData* places);
@@ -81,7 +88,7 @@ public:
 
   ///@{
   /**
-   * A point of the rotation axis, inside the body. Default is (0, 0, 0).
+   * Point on the rotation axis, inside the body. Default is (0, 0, 0).
    */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
@@ -89,7 +96,8 @@ public:
 
   ///@{
   /**
-   * Direction of the rotation axis to the north, of any length but 0. Default is (0, 0, 1).
+   * Direction of the rotation axis towards the north pole. The vector may have any length but 0.
+   * Default is (0, 0, 1).
    */
   vtkSetVector3Macro(RotationAxis, double);
   vtkGetVector3Macro(RotationAxis, double);
@@ -98,8 +106,9 @@ public:
   ///@{
   /**
    * Whether longitude 0 passes through the point of the surface closest to MarkerPoint. Default is
-   * off: it passes through the point farthest from Center in a direction perpendicular to the axis,
-   * the projection of x (or of y if the axis is x).
+   * off: longitude 0 passes through the farthest intersection of the surface with a ray from
+   * Center. The direction of this ray is the x axis, projected perpendicular to the rotation axis.
+   * If the rotation axis is x, the y axis is used.
    */
   vtkSetMacro(UseMarkerPoint, bool);
   vtkGetMacro(UseMarkerPoint, bool);
@@ -108,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Marker of longitude 0, which passes through the point of the surface closest to this one. Used
-   * only with UseMarkerPoint. Default is (1, 0, 0).
+   * Marker: longitude 0 passes through the point of the surface closest to this position. Used only
+   * with UseMarkerPoint. Default is (1, 0, 0).
    */
   vtkSetVector3Macro(MarkerPoint, double);
   vtkGetVector3Macro(MarkerPoint, double);
@@ -117,9 +126,10 @@ public:
 
   ///@{
   /**
-   * Reference of heights and slopes. SPHERE: the sphere around the center of the body's volume with
-   * the same volume. ELLIPSOID (default): an ellipsoid of that center and volume with the body's
-   * axes of inertia, its radii in the ratio of the moments.
+   * Reference surface for heights and slopes. SPHERE: the sphere that has the same volume and the
+   * same centroid of the volume as the body. ELLIPSOID (default): an ellipsoid with this volume and
+   * centroid. Its axes are the body's principal axes of inertia. The ratios of its radii are those
+   * of the square roots of the body's second moments.
    */
   vtkSetClampMacro(Reference, int, SPHERE, ELLIPSOID);
   vtkGetMacro(Reference, int);
@@ -129,8 +139,8 @@ public:
 
   ///@{
   /**
-   * Angle between meridians, and between parallels, on output port 1, in degrees. In [1, 90].
-   * Default is 15.
+   * Angle between neighboring meridians, and between neighboring parallels, on output port 1, in
+   * degrees. In [1, 90]. Default is 15.
    */
   vtkSetClampMacro(GraticuleSpacing, double, 1.0, 90.0);
   vtkGetMacro(GraticuleSpacing, double);

@@ -125,7 +125,7 @@ int vtkBodyMapImage::RequestInformation(
 int vtkBodyMapImage::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
-  return 1; // all of the surface, whatever part of the image is asked for
+  return 1; // the whole surface is requested for any part of the image
 }
 
 //------------------------------------------------------------------------------
@@ -155,7 +155,8 @@ int vtkBodyMapImage::RequestData(
         glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
       map.Grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
       const auto holes = glue::MakeHoles(result);
-      conformal::Steps steps(glue::RunOf(this), { 0.02, 0.7, 0.28 }); // reading, map, graticule
+      // Relative costs of reading, map and graticule.
+      conformal::Steps steps(glue::RunOf(this), { 0.02, 0.7, 0.28 });
       steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh body = glue::CopyMapped(surface, frame);

@@ -1,31 +1,35 @@
 /**
  * @class   vtkBodyMapImage
- * @brief   draw a map of a body: any array in one of four projections of the sphere
+ * @brief   draw a map of a body: any point array in one of four projections of the sphere
  *
- * Make an image of the whole body to which vtkBodyMap has given longitudes and latitudes. Point
- * arrays mark pixels beyond the outline of the map, and pixels on meridians and parallels.
+ * Draw a map of a whole body for which vtkBodyMap has computed longitudes and latitudes. The map is
+ * an image whose pixels show the values of a point array. Further point arrays mark pixels beyond
+ * the outline of the map, and pixels on meridians and parallels.
  *
  * Input port 0: vtkPolyData, an output of vtkBodyMap, or any surface with the point array
  * "SpherePosition" (3 components) and the north pole (0, 0, 1). Polygons and strips are treated as
  * triangles.
  *
- * Output port 0: vtkImageData of ImageSize pixels, filled by the whole map. The coordinates of a
- * pixel are those of its middle on the map, so that origin and spacing are the values of a world
- * file. EQUIRECTANGULAR: degrees from the central meridian, and degrees of latitude. Other
- * projections: units of the sphere's radius.
- * - the drawn point array, as active scalars with the same name, type and components. Integers are
- *   rounded.
- * - point array "OutsideMap" (unsigned char): 1 beyond the outline of the map; values are 0 there.
- * - point array "OutsideSurface" (unsigned char): 1 beyond the outline and where the map to the
- *   sphere has a hole.
+ * Output port 0: vtkImageData of ImageSize pixels, which the map fills. The coordinates of a pixel
+ * are the coordinates of its middle on the map. Origin and spacing are therefore the values for a
+ * world file, which defines the position of an image on a map. If Projection is EQUIRECTANGULAR,
+ * the coordinates are degrees of longitude from the central meridian, and degrees of latitude. For
+ * other projections, the unit is the radius of the sphere.
+ * - active scalars: the drawn point array, with the same name, type and number of components.
+ *   Integers are rounded.
+ * - point array "OutsideMap" (unsigned char): 1 beyond the outline of the map, otherwise 0. Where
+ *   it is 1, the drawn values are 0.
+ * - point array "OutsideSurface" (unsigned char): 1 beyond the outline, and where the map to the
+ *   sphere has a hole; otherwise 0.
  * - point array "Graticule" (unsigned char), unless GraticuleSpacing is 0: 1 on meridians and
- *   parallels, one pixel wide. Meridians end at the last parallel, except every 90 degrees.
- * - point array "BodyPosition" (double, 3 components) with GeneratePositions: the point of the body
- *   that the pixel shows, the inverse of the map; 0 outside.
+ *   parallels, which are one pixel wide. Meridians end at the parallel nearest to the pole; only
+ *   those at multiples of 90 degrees continue to the pole.
+ * - point array "BodyPosition" (double, 3 components) only with GeneratePositions: the point of the
+ *   body that the pixel shows; 0 outside of the map or the surface.
  *
- * A pixel shows the point of the body whose position on the sphere is the pixel's middle. Every
- * point of the body, whatever its shape, has a position on the map. Where many vertices share a
- * pixel, the image undersamples the surface.
+ * A pixel shows the point of the body whose position on the sphere is projected to the pixel's
+ * middle. Every point of the body has a position on the map, for any shape of the body. If many
+ * vertices fall into one pixel, the image undersamples the surface.
  *
  * The image is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The quincuncial
@@ -69,10 +73,11 @@ public:
 
   ///@{
   /**
-   * Projection. EQUIRECTANGULAR (default): longitude and latitude, 2 : 1. LAMBERT_AZIMUTHAL: equal
-   * areas, the northern hemisphere left and the southern right, 2 : 1. MOLLWEIDE: equal areas, an
-   * ellipse, 2 : 1. PEIRCE_QUINCUNCIAL: equal angles, except at four points of the equator; a
-   * square with the north pole in the middle and the south pole in its corners, 1 : 1.
+   * Projection of the sphere to the map, with the ratio of width to height. EQUIRECTANGULAR
+   * (default): longitude and latitude, 2 : 1. LAMBERT_AZIMUTHAL: preserves areas; the northern
+   * hemisphere is left, and the southern is right, 2 : 1. MOLLWEIDE: preserves areas; the map is an
+   * ellipse, 2 : 1. PEIRCE_QUINCUNCIAL: preserves angles, except at four points of the equator; the
+   * map is a square with the north pole in the middle and the south pole in its corners, 1 : 1.
    */
   vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, PEIRCE_QUINCUNCIAL);
   vtkGetMacro(Projection, int);
@@ -84,8 +89,8 @@ public:
 
   ///@{
   /**
-   * Meridian in the middle, in degrees. If a pole is in the middle, the meridian that runs down
-   * from it. In [-360, 360]. Default is 0.
+   * Longitude of the meridian in the middle of the map, in degrees. If a pole is in the middle of
+   * the map, this meridian runs from the pole towards the lower edge. In [-360, 360]. Default is 0.
    */
   vtkSetClampMacro(CentralLongitude, double, -360.0, 360.0);
   vtkGetMacro(CentralLongitude, double);
@@ -93,7 +98,7 @@ public:
 
   ///@{
   /**
-   * Width and height of the image in pixels. At least (1, 1); the number of pixels must fit into an
+   * Width and height of the image in pixels. At least (1, 1). The number of pixels must fit into an
    * int. Default is (2000, 1000).
    */
   vtkSetVector2Macro(ImageSize, int);
@@ -102,8 +107,8 @@ public:
 
   ///@{
   /**
-   * Angle between the lines of "Graticule", in degrees; 0 for none. In [0, 90]; values below 1 are
-   * set to 0. Default is 15.
+   * Angle between neighboring lines of the array "Graticule", in degrees. With 0, there are no
+   * lines. In [0, 90]; values below 1 are set to 0. Default is 15.
    */
   vtkSetClampMacro(GraticuleSpacing, double, 0.0, 90.0);
   vtkGetMacro(GraticuleSpacing, double);

@@ -34,7 +34,8 @@ vtkStandardNewMacro(vtkSurfaceHarmonics);
 
 namespace
 {
-// A chosen array; its first column comes behind the coordinates and the arrays before.
+// Point array whose harmonics are computed. In the matrix of values, its columns follow those of
+// the coordinates and of earlier arrays.
 struct ChosenArray
 {
   std::string Name;
@@ -72,7 +73,7 @@ conformal::Index NumberOfColumns(const std::vector<ChosenArray>& arrays)
   return arrays.empty() ? 3 : arrays.back().First + arrays.back().Components;
 }
 
-// The coordinates in the frame, then the arrays.
+// Return the matrix of values at the points: coordinates in the frame, then the chosen arrays.
 conformal::Columns ValuesOf(
   vtkPolyData* surface, const conformal::Points& positions, const std::vector<ChosenArray>& arrays)
 {
@@ -114,7 +115,7 @@ conformal::MappedMesh MeshOf(vtkPolyData* surface, const conformal::CoordinateFr
   return mesh;
 }
 
-// The coordinates of a reference in a frame.
+// Return the coefficients of a reference surface's coordinates, converted to a frame.
 conformal::Columns ReferenceOf(vtkTable* table, const conformal::CoordinateFrame& frame)
 {
   conformal::Points coordinates = glue::FromTable(table).Coefficients.leftCols(3);
@@ -144,7 +145,7 @@ conformal::HarmonicAlignment AlignmentOf(const conformal::Columns& coefficients,
   return alignment;
 }
 
-// Places on the surface that the alignment has moved.
+// Return positions after the rigid motion of an alignment.
 conformal::Points Moved(
   const conformal::Points& positions, const conformal::HarmonicAlignment& alignment)
 {
@@ -182,7 +183,7 @@ void AddTable(vtkTable* table, const conformal::Columns& coefficients,
   glue::ToTable(harmonics, table);
 }
 
-// The columns of an array, with its name.
+// Add the rebuilt values of a chosen array, with the name of this array.
 void AddRebuilt(vtkPointData* data, const ChosenArray& chosen, const conformal::Columns& values)
 {
   if (!values.allFinite())
@@ -210,7 +211,7 @@ std::vector<double> PowerOf(const conformal::Columns& coefficients)
   return { power.begin(), power.end() };
 }
 
-// Add the field data that describe the harmonics before their alignment.
+// Add the field data that describe the harmonics before the alignment.
 void AddSummary(vtkFieldData* data, const conformal::Columns& coefficients,
   const std::vector<ChosenArray>& arrays, const conformal::CoordinateFrame& frame)
 {
@@ -250,15 +251,16 @@ double RootMeanSquareDistance(const conformal::MappedMesh& mesh, const conformal
   return std::sqrt(squares.dot(areas) / areas.sum());
 }
 
-// What is made of a surface.
+// Options of the computation for one surface.
 struct HarmonicsJob
 {
-  int Degree, Kept; // of the fit, and of the surface that is rebuilt
-  int Alignment;    // as vtkSurfaceHarmonics::GetAlignment()
-  int Frequency;    // of the geodesic sphere; 0 for the mesh of the input
+  int Degree, Kept; // maximum degrees of the fit, and of the rebuilt surface
+  int Alignment;    // value of vtkSurfaceHarmonics::GetAlignment()
+  int Frequency;    // frequency of the geodesic sphere; 0 for the input's mesh
   std::vector<ChosenArray> Arrays;
 
-  // Shares of reading, fit, alignment, rotation, the surface, the geodesic one, and the output.
+  // Return relative costs of reading, fit, alignment, rotation, the rebuilt surface, the geodesic
+  // surface, and the output.
   std::vector<double> shares(bool hasReference) const
   {
     const bool isAligned = this->Alignment != vtkSurfaceHarmonics::NONE;
@@ -267,7 +269,7 @@ struct HarmonicsJob
   }
 };
 
-// The surface rebuilt on a geodesic sphere.
+// Set the output to the surface rebuilt on a geodesic sphere.
 void SetGeodesicSurface(vtkPolyData* output, const HarmonicsJob& job,
   const conformal::Columns& aligned, const conformal::CoordinateFrame& frame,
   const conformal::Run& run)
@@ -283,7 +285,7 @@ void SetGeodesicSurface(vtkPolyData* output, const HarmonicsJob& job,
   }
 }
 
-// The coefficients of a surface, aligned as asked for.
+// Coefficients of a surface, before and after the alignment.
 struct FittedHarmonics
 {
   conformal::CoordinateFrame Frame;
@@ -312,7 +314,7 @@ FittedHarmonics Fit(
   return fit;
 }
 
-// The surface rebuilt on the mesh of the input.
+// Set the output to the surface rebuilt on the mesh of the input.
 void SetInputSurface(vtkPolyData* output, vtkPolyData* input, const HarmonicsJob& job,
   const conformal::Columns& rebuilt, const FittedHarmonics& fit)
 {

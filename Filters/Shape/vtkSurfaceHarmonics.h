@@ -2,60 +2,67 @@
  * @class   vtkSurfaceHarmonics
  * @brief   compute the spherical harmonics of a mapped surface and of arrays on it
  *
- * Compute the spherical harmonics of a closed surface that has the point array "SpherePosition",
- * and rebuild the surface from those of low degree. The second output is the table of coefficients,
- * from which vtkSurfaceHarmonicsSource makes surfaces.
+ * Compute the coefficients of a closed surface as a sum of spherical harmonics, and rebuild the
+ * surface from the harmonics of low degree. The surface must be mapped to the sphere, and have the
+ * point array "SpherePosition". The second output is the table of coefficients, from which
+ * vtkSurfaceHarmonicsSource makes surfaces.
  *
  * Input port 0: vtkPolyData, a closed surface with the point array "SpherePosition". Polygons and
  * strips are cut into triangles.
  * - point array "SpherePosition" (3 components, of any length but 0): a map that covers the sphere
- *   once without folds; it may mirror the surface.
+ *   once without folds. The map may mirror the surface.
  *
- * Input port 1 (optional): vtkTable like that of output port 1, the reference of Alignment.
+ * Input port 1 (optional): vtkTable, the coefficients of a reference surface for Alignment, as on
+ * output port 1.
  *
- * Output port 0: vtkPolyData, the sum of the harmonics up to ReconstructionDegree. With MeshType
- * INPUT it is the input with other points, without its active normals. With GEODESIC it is a
- * geodesic sphere with other points.
- * - point array "SpherePosition" (double, 3 components): map of the input, rotated by Alignment, or
- *   the directions of the geodesic sphere.
- * - each chosen point array (double), rebuilt from its harmonics.
+ * Output port 0: vtkPolyData, the sum of the harmonics up to ReconstructionDegree. If MeshType is
+ * INPUT, the output is the input with new coordinates of the points, and without its active
+ * normals. If MeshType is GEODESIC, the output has the triangles of a geodesic sphere.
+ * - point array "SpherePosition" (double, 3 components): the map of the input, rotated by
+ *   Alignment; with GEODESIC, the points of the geodesic sphere.
+ * - each point array that was added by AddPointArray() (double), rebuilt from its harmonics.
  *
- * Output port 1: vtkTable of (L + 1)^2 rows, where L is the Degree: degrees l from 0 to L, and for
- * each l the orders m from -l to l.
+ * Output port 1: vtkTable, the coefficients. Let L be the Degree. The table has (L + 1)^2 rows: for
+ * each degree l from 0 to L, the orders m from -l to l.
  * - columns "Degree", "Order" (int).
  * - columns "X", "Y", "Z" (double): coefficients of the coordinates, in the unit of the points.
- * - a column for each component of each chosen point array (double), with the array's name; for
- *   several components "name_0", "name_1" and so on.
+ * - one column (double) for each component of each point array that was added. Its name is that of
+ *   the array; for several components, the names are "name_0", "name_1" and so on.
  *
- * Harmonics are real, orthonormal on the unit sphere, and without the Condon-Shortley phase: Y_lm
- * is P_lm(z) cos(m phi) for m >= 0 and P_l|m|(z) sin(|m| phi) for m < 0. Here z is the third
- * coordinate of SpherePosition, and phi is the angle from its first to its second. A function is
- * the sum of coefficients times harmonics. The coefficient of degree 0 is the function's mean times
- * sqrt(4 pi).
+ * Let (x, y, z) be a point of the unit sphere, with phi = atan2(y, x), and P_lm the normalized
+ * associated Legendre functions. The harmonic Y_lm is P_lm(z) cos(m phi) for m >= 0, and P_l|m|(z)
+ * sin(|m| phi) for m < 0. Harmonics are real, orthonormal on the unit sphere, and without the
+ * Condon-Shortley phase. A function on the sphere is the sum of coefficients times harmonics. The
+ * coefficient of degree 0 is the function's mean times sqrt(4 pi).
  *
  * Field data of output port 0 (double):
- * - "RootMeanSquareDistance" (1 value): distance between the input's points and their positions by
- *   the harmonics up to ReconstructionDegree. Points are weighted by area; the unit is that of the
- *   points.
- * - "HarmonicPower" (L + 1 values): for each degree, the mean over the sphere of the square of its
- *   part of the coordinates, in the square of that unit. It does not depend on the orientation of
- *   the surface or its map.
- * - "HarmonicPower_" with the name of an array (L + 1 values): power of the array's components.
- * - "ShapeSpectrum" (L + 1 values): square root of the power of each degree, divided by that of
- *   degree 1; 0 for degree 0. It does not depend on position, orientation and size of the surface.
- * - "MapRotation", "SurfaceRotation" (9 components, row by row) and "SurfaceCenter" (3 components):
- *   transforms of Alignment. A point s with map p becomes SurfaceRotation (s - SurfaceCenter) with
- *   map MapRotation p.
+ * - "RootMeanSquareDistance" (1 value): root mean square distance between the points of the input
+ *   and the same points rebuilt from the harmonics up to ReconstructionDegree. Points are weighted
+ *   by area. The unit is that of the coordinates.
+ * - "HarmonicPower" (L + 1 values): power of each degree l. Let p be the sum of the coefficients
+ *   times the harmonics of degree l, a vector at each point of the sphere. The power is the mean of
+ *   |p|^2 over the sphere, in the squared unit of the coordinates. The power does not depend on the
+ *   orientation of the surface or of its map.
+ * - "HarmonicPower_NAME" (L + 1 values): power of each degree of the point array NAME, added over
+ *   its components.
+ * - "ShapeSpectrum" (L + 1 values): square root of the power of each degree, divided by the square
+ *   root of the power of degree 1; 0 for degree 0. The spectrum does not depend on position,
+ *   orientation and size of the surface.
+ * - "MapRotation", "SurfaceRotation" (9 components, matrices row by row) and "SurfaceCenter" (3
+ *   components): the transforms that Alignment applied. A point s of the surface with the position
+ *   p on the sphere moves to SurfaceRotation (s - SurfaceCenter). Its position on the sphere
+ *   becomes MapRotation p.
  *
- * The coefficients are the least-squares solution over the surface, weighted by area. A surface
- * that consists of harmonics up to L, with a mesh finer than pi / L on the sphere, reproduces its
- * coefficients. How well few harmonics describe a surface depends on the map, since conformal maps
- * shrink limbs. vtkGlobalConformalMap with an AreaBalance of 0.5 is suitable for most surfaces. The
- * same input gives the same bits on any number of threads.
+ * The coefficients are a least-squares solution over the points of the surface, weighted by area.
+ * Let a surface be a sum of harmonics up to degree L, and its edges on the sphere be shorter than
+ * pi / L. Then its coefficients are reproduced. How well few harmonics describe a surface depends
+ * on the map, since limbs are small in a conformal map. vtkGlobalConformalMap with an AreaBalance
+ * of 0.5 is suitable for most surfaces. The output is equal bit by bit for any number of threads.
  *
  * Implementation note: the axes of Alignment are those of C. Brechbuehler, G. Gerig, O. Kuebler,
  * "Parametrization of closed surfaces for 3-D shape description", Computer Vision and Image
- * Understanding 61 (1995), and of SPHARM-PDM. Both leave the sign of an axis open.
+ * Understanding 61 (1995), and of SPHARM-PDM. Neither of these methods defines the signs of the
+ * axes.
  *
  * @sa
  * vtkSurfaceHarmonicsSource vtkGlobalConformalMap vtkConsistentRemesh
@@ -102,8 +109,8 @@ public:
 
   ///@{
   /**
-   * Maximum degree of the harmonics in output port 0; values above Degree mean Degree. In [0, 256].
-   * Default is 256: all.
+   * Maximum degree of the harmonics from which output port 0 is rebuilt. Values above Degree have
+   * the effect of Degree. In [0, 256]. Default is 256: all harmonics.
    */
   vtkSetClampMacro(ReconstructionDegree, int, 0, 256);
   vtkGetMacro(ReconstructionDegree, int);
@@ -111,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Mesh of output port 0. INPUT (default): that of the input. GEODESIC: a geodesic sphere of
-   * Frequency, with triangles counter-clockwise seen from outside the surface.
+   * Mesh of output port 0. INPUT (default): the mesh of the input. GEODESIC: the mesh of a geodesic
+   * sphere with the given Frequency; triangles are counter-clockwise seen from outside the surface.
    */
   vtkSetClampMacro(MeshType, int, INPUT, GEODESIC);
   vtkGetMacro(MeshType, int);
@@ -122,7 +129,8 @@ public:
 
   ///@{
   /**
-   * GEODESIC: frequency f, for 10 f^2 + 2 points. In [1, 1000]. Default is 36: 12,962 points.
+   * GEODESIC: frequency f of the geodesic sphere (vtkGeodesicSphereSource), which has 10 f^2 + 2
+   * points. In [1, 1000]. Default is 36: 12,962 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -130,17 +138,17 @@ public:
 
   ///@{
   /**
-   * Rotation to a common frame, in which coefficients can be compared, by the ellipsoid of the
-   * harmonics of degree 1. NONE (default): no rotation. MAP: rotate the map so that the longest,
-   * middle and shortest axis of the ellipsoid are mapped to the x, y and z axis. MAP_AND_SURFACE:
-   * also rotate the surface so that the axes lie on x, y and z, and move the ellipsoid's center to
-   * the origin.
+   * Alignment to a common frame, so that coefficients of different surfaces can be compared. The
+   * frame is that of the ellipsoid defined by the harmonics of degree 1. NONE (default): no
+   * alignment. MAP: rotate the map so that the longest, middle and shortest axis of the ellipsoid
+   * are mapped to the x, y and z axis. MAP_AND_SURFACE: also rotate the surface so that these axes
+   * become x, y and z, and move the ellipsoid's center to the origin.
    *
-   * Four rotations align the axes. With a reference, the rotation with the highest correlation
-   * between surface and reference is chosen, and the axes are matched to those of the reference.
-   * The direction of axes whose lengths differ by less than a tenth is then searched as well.
-   * Without a reference, the longest and the middle axis point to where the surface extends
-   * farther, by the third moment over the sphere.
+   * Four rotations align the axes, since the signs of two axes are free. With a reference, the axes
+   * are matched to those of the reference. The rotation with the highest correlation between
+   * surface and reference is chosen. If the lengths of two axes differ by less than a tenth, the
+   * rotation about the third axis is also searched. Without a reference, the longest and the middle
+   * axis point to the side where the surface extends farther, by the third moment over the sphere.
    */
   vtkSetClampMacro(Alignment, int, NONE, MAP_AND_SURFACE);
   vtkGetMacro(Alignment, int);
@@ -151,7 +159,7 @@ public:
 
   ///@{
   /**
-   * Add a point array of numbers whose harmonics are computed, too. Default is none.
+   * Add the name of a numeric point array whose harmonics are also computed. Default is none.
    */
   void AddPointArray(const char* name);
   void RemoveAllPointArrays();
@@ -160,7 +168,7 @@ public:
 
   ///@{
   /**
-   * The coefficients of another surface, which determine the signs of the axes of Alignment.
+   * Set the coefficients of a reference surface, with which this surface is aligned by Alignment.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkTable* reference);

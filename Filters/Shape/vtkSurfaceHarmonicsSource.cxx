@@ -49,7 +49,8 @@ int vtkSurfaceHarmonicsSource::RequestData(
       const conformal::Points coordinates = coefficients.leftCols(3);
       const conformal::CoordinateFrame frame = conformal::frameOf({ coordinates });
       coefficients.leftCols(3) = coordinates / frame.Unit;
-      conformal::Steps steps(RunOf(this), { 0.9, 0.1 }); // surface, output
+      // Relative costs of surface and output.
+      conformal::Steps steps(RunOf(this), { 0.9, 0.1 });
       const conformal::HarmonicSurface made =
         conformal::makeHarmonicSurface(coefficients, frequency, steps.next());
       steps.next();

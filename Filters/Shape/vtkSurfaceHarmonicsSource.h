@@ -2,23 +2,24 @@
  * @class   vtkSurfaceHarmonicsSource
  * @brief   make a surface from a table of its spherical harmonics
  *
- * Make a closed surface from a table of coefficients, such as the second output of
- * vtkSurfaceHarmonics.
+ * Make a closed surface from a table of coefficients of spherical harmonics, such as the second
+ * output of vtkSurfaceHarmonics.
  *
- * Input port 0: vtkTable, the coefficients: columns "Degree", "Order", "X", "Y" and "Z"; other
- * numeric columns become point arrays. The table has one row for each harmonic of degrees 0 to L,
- * at most 1024, in any order:
- * - columns "Degree", "Order": l, and m from -l to l.
+ * Input port 0: vtkTable, the coefficients. Columns "Degree", "Order", "X", "Y" and "Z" define the
+ * surface, and other numeric columns become point arrays. The table has one row for each harmonic
+ * of degrees 0 to L, in any sequence. L is at most 1024.
+ * - columns "Degree", "Order": degree l, and order m from -l to l.
  * - columns "X", "Y", "Z": coefficients of the coordinates.
- * - any other numeric columns: coefficients of point arrays. Columns of text are left out.
+ * - other numeric columns: coefficients of point arrays. Columns of text are ignored.
  *
- * Output port 0: vtkPolyData, a geodesic sphere of Frequency whose points are the sum of the
- * harmonics up to ReconstructionDegree. Triangles are counter-clockwise seen from outside the
- * surface.
- * - point array "SpherePosition" (double, 3 components): the directions.
- * - a point array (double, 1 component) for each other column, with its name.
+ * Output port 0: vtkPolyData, the surface, with the triangles of a geodesic sphere of the given
+ * Frequency. Coordinates of the points are the sum of the harmonics up to ReconstructionDegree.
+ * Triangles are counter-clockwise seen from outside the surface.
+ * - point array "SpherePosition" (double, 3 components): the points of the geodesic sphere.
+ * - one point array (double, 1 component) for each other numeric column, with the name of the
+ *   column.
  *
- * vtkSurfaceHarmonics makes such tables and defines the harmonics.
+ * The class vtkSurfaceHarmonics makes such tables, and its documentation defines the harmonics.
  *
  * @sa
  * vtkSurfaceHarmonics vtkGeodesicSphereSource
@@ -39,8 +40,8 @@ public:
 
   ///@{
   /**
-   * Frequency f of the geodesic sphere, for 10 f^2 + 2 points. In [1, 1000]. Default is 36: 12,962
-   * points.
+   * Frequency f of the geodesic sphere (vtkGeodesicSphereSource), which has 10 f^2 + 2 points. In
+   * [1, 1000]. Default is 36: 12,962 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -48,8 +49,9 @@ public:
 
   ///@{
   /**
-   * Maximum degree of the harmonics in the surface; values above that of the table mean the latter.
-   * In [0, 1024]. Default is 1024: all.
+   * Maximum degree of the harmonics of which the surface is the sum. Values above the largest
+   * degree in the table have the effect of that degree. In [0, 1024]. Default is 1024: all
+   * harmonics.
    */
   vtkSetClampMacro(ReconstructionDegree, int, 0, 1024);
   vtkGetMacro(ReconstructionDegree, int);

@@ -28,7 +28,7 @@ std::vector<double> ToVector(const Eigen::VectorXd& values)
 void AddShape(
   vtkPointData* data, const conformal::SurfaceShape& shape, const conformal::CoordinateFrame& frame)
 {
-  // A frame whose lengths are one by a length.
+  // Curvature has the unit 1 / length. A frame with the inverse unit converts it like a length.
   const conformal::CoordinateFrame inverse = { 1.0 / frame.Unit };
   glue::AddLengths(data, "MeanCurvature", ToVector(shape.MeanCurvature), inverse);
   std::vector<double> gaussian = ToVector(shape.GaussianCurvature);
@@ -56,7 +56,8 @@ int vtkSurfaceShape::RequestData(
         return;
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
-      conformal::Steps steps(glue::RunOf(this), { 0.12, 0.87, 0.01 }); // mesh, shape, output
+      // Relative costs of mesh, shape and output.
+      conformal::Steps steps(glue::RunOf(this), { 0.12, 0.87, 0.01 });
       const auto mesh = glue::ToClosedMesh(this, surface, frame, steps.next());
       const conformal::Mesh outward = glue::Outward(mesh);
       const conformal::SurfaceShape shape =

@@ -2,20 +2,23 @@
  * @class   vtkConformalOFFReader
  * @brief   read meshes and clouds in the OFF format of Geomview, with all its prefixes
  *
- * Read Geomview's OFF files, text or binary, with normals, colors and texture coordinates.
+ * Read points and polygons from an OFF file of Geomview, text or binary, with normals, colors and
+ * texture coordinates.
  *
- * Output port 0: vtkPolyData, the points and polygons of a three-dimensional file with the keyword
- * [ST][C][N][4][n]OFF. Points of text files are double, those of BINARY files float. The keyword
- * may be missing; CanReadFile() then returns false. The fourth coordinate of 4OFF divides the
- * others.
- * - point array "Normals" (type of the points, 3 components), active: N.
- * - point array "TCoords" (type of the points, 2 components), active: ST.
- * - point array "RGB" or "RGBA" (unsigned char), active scalars: C, and additional columns of a
- *   plain OFF. If no number exceeds 1 they are fractions, otherwise bytes.
- * - cell array "RGB" or "RGBA" (unsigned char), active scalars: colors after the ids of faces;
- *   white for a face without color.
- * - cell array "ColorIndex" (int, 1 component): a single number after the ids of faces; -1 for a
- *   face without one.
+ * Output port 0: vtkPolyData, the points and polygons of a three-dimensional file. A file begins
+ * with the keyword [ST][C][N][4][n]OFF, in which each prefix in brackets is optional. Points of
+ * text files are double, and points of BINARY files are float. A file without the keyword is also
+ * read, but CanReadFile() returns false for this file. With prefix 4, the first three coordinates
+ * are divided by the fourth.
+ * - point array "Normals" (type of the points, 3 components), active: from a file with prefix N.
+ * - point array "TCoords" (type of the points, 2 components), active: from a file with prefix ST.
+ * - point array "RGB" or "RGBA" (unsigned char), active scalars: from a file with prefix C, or from
+ *   additional columns of a file without prefixes. If no number exceeds 1, colors are in [0, 1],
+ *   otherwise in [0, 255].
+ * - cell array "RGB" or "RGBA" (unsigned char), active scalars: colors after the point ids of the
+ *   faces. A face without color is white.
+ * - cell array "ColorIndex" (int, 1 component): a single number after the point ids of the faces;
+ *   -1 for a face without such a number.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -37,7 +40,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Return whether the first bytes of a file are of this format. The name does not matter.
+   * Return whether the first bytes of a file are those of an OFF file. The name of the file is not
+   * tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -1,12 +1,14 @@
 /**
  * @class   vtkConformalOFFWriter
- * @brief   write OFF text with normals, colors and texture coordinates
+ * @brief   write OFF files as text, with normals, colors and texture coordinates
  *
- * Write OFF as text, with the active normals, colors and texture coordinates.
+ * Write points and polygons to an OFF file of Geomview, as text, with the active normals, colors
+ * and texture coordinates.
  *
  * Input port 0: vtkPolyData. The file has the active normals, texture coordinates and colors of the
- * points. It also has the active colors of the polygons, or else their array "ColorIndex" of 1
- * integer. Numbers are written with enough digits to be read back exactly.
+ * points. It also has the active colors of the polygons. If the polygons have no colors, their
+ * integer array "ColorIndex" (1 component) is written. Numbers are written with enough digits to be
+ * read back exactly.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

@@ -1,26 +1,29 @@
 /**
  * @class   vtkConformalPLYReader
- * @brief   read scans in the PLY format: every property, strips, doubles, visible clouds
+ * @brief   read scans in the PLY format: every property, doubles, strips, and visible clouds
  *
- * Read PLY files of all three formats. Unlike ParaView's PLY Reader, it keeps every property of a
- * point and double precision. It reads triangle strips, range grids, and clouds without triangles,
- * to which it adds vertices so that they are visible. Broken files cause an error.
+ * Read points and polygons from a PLY file, as text or binary. Unlike ParaView's PLY Reader, this
+ * reader keeps double precision and every property of a point. It also reads triangle strips, range
+ * grids, and point clouds. Points of a cloud get vertices, so that they are visible. Malformed
+ * files cause an error.
  *
- * Output port 0: vtkPolyData, the points and polygons of a PLY file of any of its three formats.
- * The points are floats if x, y and z are, otherwise doubles. Triangle strips become triangles, and
- * so do neighbors in the grid of a range scan. vtkSurfaceFileReader describes what all readers of
- * this module have in common.
- * - point array "Normals" (float or double, 3 components), active: nx, ny, nz.
- * - point array "RGB" or "RGBA" (unsigned char, 3 or 4 components), active scalars: red, green,
- *   blue, alpha, also with the prefix "diffuse_".
- * - point array "TCoords" (float or double, 2 components), active: s, t or u, v or texture_u,
- *   texture_v.
- * - point arrays (1 component) with the name and type of every other scalar property of a vertex.
- * - cell arrays (1 component) with the name and type of every scalar property of a face, unless the
- *   file has strips or a grid.
+ * Output port 0: vtkPolyData, the points and polygons of a PLY file: ascii, binary_little_endian or
+ * binary_big_endian. The points are float if the properties x, y and z are float, otherwise double.
+ * Triangle strips become triangles. Neighboring points in the grid of a range scan are connected by
+ * triangles. vtkSurfaceFileReader describes what all readers of this module have in common.
+ * - point array "Normals" (float or double, 3 components), active: properties nx, ny, nz.
+ * - point array "RGB" or "RGBA" (unsigned char, 3 or 4 components), active scalars: properties red,
+ *   green, blue and alpha, also with the prefix "diffuse_".
+ * - point array "TCoords" (float or double, 2 components), active: properties s, t or u, v or
+ *   texture_u, texture_v.
+ * - point arrays with the name and type of every other scalar property of a vertex (1 component).
+ *   Properties NAME_0, NAME_1 and so on of equal type become one array NAME with several
+ *   components.
+ * - cell arrays (1 component) with the name and type of every scalar property of a face. Files with
+ *   strips or a grid give no cell arrays.
  *
- * Unlike vtkPLYReader this reader keeps all properties and double precision, reads strips, and
- * checks every id. No file makes it crash.
+ * Unlike vtkPLYReader, this reader keeps all properties and double precision, and reads strips. It
+ * checks every id, so that malformed files cannot crash a program.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -41,16 +44,17 @@ public:
 
   ///@{
   /**
-   * Maximum edge length of a triangle between neighbors in the grid of a range scan. Longer edges
-   * would bridge gaps of the object. At least 0. Default is 0: 4 times the median length between
-   * neighbors.
+   * Maximum length of an edge between neighboring points in the grid of a range scan. Triangles
+   * with a longer edge are left out, since they would bridge gaps of the object. At least 0.
+   * Default is 0: the maximum is 4 times the median distance between neighboring points.
    */
   vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
   /**
-   * Return whether the first lines of a file are of this format. The name does not matter.
+   * Return whether the first lines of a file are those of a PLY file. The name of the file is not
+   * tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

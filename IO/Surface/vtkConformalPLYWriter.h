@@ -1,14 +1,14 @@
 /**
  * @class   vtkConformalPLYWriter
- * @brief   write PLY with all arrays
+ * @brief   write PLY files with all arrays of points and polygons
  *
- * Write binary PLY with all arrays of points and polygons, including "SpherePosition".
- * vtkConformalPLYReader reads the arrays back.
+ * Write points, polygons and all their arrays to a binary PLY file, including "SpherePosition".
+ * vtkConformalPLYReader reads these arrays.
  *
  * Input port 0: vtkPolyData. The file is PLY, binary little endian, with all arrays of points and
- * polygons. Active normals, texture coordinates and colors have their usual names. Other arrays of
- * several components become NAME_0, NAME_1 and so on, which vtkConformalPLYReader joins again.
- * 8-byte integers become doubles.
+ * polygons. Active normals, texture coordinates and colors get the usual names of PLY, such as nx,
+ * s and red. Any other array NAME with several components becomes the properties NAME_0, NAME_1 and
+ * so on, from which vtkConformalPLYReader makes one array. 8-byte integers become doubles.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

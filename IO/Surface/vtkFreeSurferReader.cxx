@@ -26,7 +26,7 @@ int vtkFreeSurferReader::CanReadFile(const char* name)
 conformal::SurfaceResult vtkFreeSurferReader::Parse(
   conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
-  // Observers of the progress may set others.
+  // Names are copied, since observers of the progress may change them.
   const std::string sphereName = this->SphereFileName ? this->SphereFileName : "";
   const std::string curvatureName = this->CurvatureFileName ? this->CurvatureFileName : "";
   conformal::SurfaceResult result = conformal::parseFreeSurferSurface(input, {}, run);

@@ -2,17 +2,18 @@
  * @class   vtkFreeSurferReader
  * @brief   read FreeSurfer's surfaces with their sphere and their curvature
  *
- * Read a surface such as lh.white. Optionally, read its sphere (as "SpherePosition") and a file
- * with one number for each point (as Curvature).
+ * Read a surface file of FreeSurfer, such as lh.white. Optionally, also read two more files. The
+ * points of a sphere, such as lh.sphere, become the point array "SpherePosition". A file with one
+ * number for each point, such as lh.curv, becomes the point array Curvature.
  *
  * Output port 0: vtkPolyData, the points (float) and the triangles or quads of a surface, such as
  * lh.white.
- * - point array "SpherePosition" (double, 3 components), of unit length: the points of the file
- *   SphereFileName, such as lh.sphere, which must have the same faces.
+ * - point array "SpherePosition" (double, 3 components): the points of the file SphereFileName,
+ *   such as lh.sphere, as unit vectors. That file must have the same faces as the surface.
  * - point array "Curvature" (float, 1 component): the values of the file CurvatureFileName, such as
- *   lh.curv or lh.thickness, of the new or the old layout.
+ *   lh.curv or lh.thickness. Both the new and the old layout of such files are read.
  *
- * The volume geometry that follows the faces is ignored: points have the coordinates of the file.
+ * The volume geometry after the faces is ignored, so that points have the coordinates of the file.
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
  * @sa
@@ -34,8 +35,8 @@ public:
 
   ///@{
   /**
-   * Name of the file whose points are the positions of the surface's points on the sphere, such as
-   * lh.sphere. Default is none.
+   * Name of a surface file, such as lh.sphere, whose points are the positions of the surface's
+   * points on the sphere. Default is none.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
@@ -51,7 +52,8 @@ public:
   ///@}
 
   /**
-   * Return whether the first bytes of a file are of this format. The name does not matter.
+   * Return whether the first bytes of a file are those of a FreeSurfer surface. The name of the
+   * file is not tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

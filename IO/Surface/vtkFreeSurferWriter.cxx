@@ -26,7 +26,7 @@ const conformal::NamedArray& Find(const conformal::SurfaceData& surface, const s
 //------------------------------------------------------------------------------
 void vtkFreeSurferWriter::WriteFiles(const conformal::Run& run)
 {
-  const int content = this->Content; // observers of the progress may set others
+  const int content = this->Content; // a copy: observers may change it
   const std::string name = this->ArrayName;
   this->WriteSurface(
     [&](const conformal::SurfaceData& surface)

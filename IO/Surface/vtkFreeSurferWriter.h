@@ -2,13 +2,13 @@
  * @class   vtkFreeSurferWriter
  * @brief   write FreeSurfer's surfaces, spheres and curvatures
  *
- * Write triangles with the surface's points, triangles with their positions on the sphere, or one
- * number for each point.
+ * Write one of three kinds of FreeSurfer files, selected by Content: a surface, its positions on
+ * the sphere with the same triangles, or one number for each point.
  *
- * Input port 0: vtkPolyData of triangles. Content selects what is written:
+ * Input port 0: vtkPolyData of triangles. Content selects the data to write:
  * - SURFACE: the points, as floats, and the triangles.
- * - SPHERE: the triangles, with the point array "SpherePosition" (3 components) times 100, the
- *   radius of FreeSurfer's spheres.
+ * - SPHERE: the triangles and, as points, 100 times the point array "SpherePosition" (3
+ *   components). 100 is the radius of FreeSurfer's spheres.
  * - CURVATURE: the point array ArrayName (1 component), as floats.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
@@ -39,8 +39,9 @@ public:
 
   ///@{
   /**
-   * Content of the file. SURFACE (default): points and triangles. SPHERE: the triangles, with the
-   * point array "SpherePosition" times 100 as points. CURVATURE: the point array ArrayName.
+   * Content of the file. SURFACE (default): points and triangles. SPHERE: the triangles and, as
+   * points, 100 times the point array "SpherePosition". CURVATURE: the values of the point array
+   * ArrayName.
    */
   vtkSetClampMacro(Content, int, SURFACE, CURVATURE);
   vtkGetMacro(Content, int);

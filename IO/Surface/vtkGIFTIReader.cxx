@@ -27,7 +27,7 @@ int vtkGIFTIReader::CanReadFile(const char* name)
 conformal::SurfaceResult vtkGIFTIReader::Parse(
   conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
-  // Observers of the progress may set others.
+  // Names are copied, since observers of the progress may change them.
   const std::string sphereName = this->SphereFileName ? this->SphereFileName : "";
   const std::string shapeName = this->ShapeFileName ? this->ShapeFileName : "";
   conformal::SurfaceResult result = conformal::parseGIFTISurface(input, {}, run);

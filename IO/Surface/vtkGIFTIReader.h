@@ -2,21 +2,21 @@
  * @class   vtkGIFTIReader
  * @brief   read GIFTI surfaces with their sphere and numbers at their points
  *
- * Read a surface (.surf.gii). Optionally, read its sphere (as "SpherePosition") and a file with
- * arrays of numbers at the points.
+ * Read a GIFTI surface (.surf.gii). Optionally, also read two more files. The points of a sphere
+ * become the point array "SpherePosition". A file with numbers for each point becomes point arrays.
  *
  * Output port 0: vtkPolyData, the points (float or double, as in the file) and triangles of a
- * surface (.surf.gii). Encodings are ASCII, Base64Binary and GZipBase64Binary, with both byte
- * orders and both orders of indices.
- * - point array "SpherePosition" (double, 3 components), of unit length: the points of the file
- *   SphereFileName, which must have the same triangles.
- * - point arrays, in their own types, from all other arrays of the file and from the file
- *   ShapeFileName (.shape.gii, .func.gii, .label.gii). Their name is the metadata "Name", or else
- *   their intent, such as "Shape".
+ * surface (.surf.gii). Files with the encodings ASCII, Base64Binary and GZipBase64Binary are read,
+ * with both byte orders, and both row-major and column-major arrays.
+ * - point array "SpherePosition" (double, 3 components): the points of the file SphereFileName, as
+ *   unit vectors. That file must have the same triangles as the surface.
+ * - point arrays, with the types of the file: all other arrays of the surface file, and the arrays
+ *   of the file ShapeFileName (.shape.gii, .func.gii, .label.gii). The name of an array is its
+ *   metadata "Name". Without this metadata, the name is its intent, such as "Shape".
  *
- * Matrices of other coordinate systems and label tables are ignored. XML entities declared by the
- * file, and arrays in external files, are errors. vtkSurfaceFileReader describes what all readers
- * of this module have in common.
+ * Matrices of coordinate systems and label tables are ignored. It is an error if the file declares
+ * XML entities, or refers to arrays in external files. vtkSurfaceFileReader describes what all
+ * readers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -37,8 +37,8 @@ public:
 
   ///@{
   /**
-   * Name of the file whose points are the positions of the surface's points on the sphere. Default
-   * is none.
+   * Name of a surface file whose points are the positions of the surface's points on the sphere.
+   * Default is none.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
@@ -54,7 +54,8 @@ public:
   ///@}
 
   /**
-   * Return whether the first bytes of a file are of this format. The name does not matter.
+   * Return whether the first bytes of a file are those of a GIFTI surface. The name of the file is
+   * not tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

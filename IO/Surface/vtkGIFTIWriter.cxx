@@ -9,7 +9,7 @@ vtkStandardNewMacro(vtkGIFTIWriter);
 //------------------------------------------------------------------------------
 void vtkGIFTIWriter::WriteFiles(const conformal::Run& run)
 {
-  const int content = this->Content; // observers of the progress may set others
+  const int content = this->Content; // a copy: observers may change it
   const std::string structure = this->AnatomicalStructure;
   this->WriteSurface(
     [&](const conformal::SurfaceData& surface)

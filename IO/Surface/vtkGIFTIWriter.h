@@ -2,19 +2,21 @@
  * @class   vtkGIFTIWriter
  * @brief   write GIFTI surfaces, spheres and numbers at their points
  *
- * Write points, triangles and every point array, compressed. For other neuroimaging programs, write
- * the geometry, the sphere or the arrays alone.
+ * Write a surface to a compressed GIFTI file: points, triangles and every point array. Some
+ * neuroimaging programs need separate files. For these programs, Content selects only the geometry,
+ * only the sphere, or only the arrays.
  *
- * Input port 0: vtkPolyData. The file is GIFTI, compressed. Content selects what is written:
- * - SURFACE: points in their type, triangles, and every point array by its name (.surf.gii).
+ * Input port 0: vtkPolyData. The file is compressed GIFTI. Content selects the data to write:
+ * - SURFACE: points in their type, triangles, and every point array with its name (.surf.gii).
  *   Polygons with more than 3 corners are an error.
  * - GEOMETRY: the points, as floats, and the triangles (.surf.gii).
- * - SPHERE: the triangles, with the point array "SpherePosition" (3 components) times 100 as float
- *   points (.sphere.surf.gii). 100 is the radius of spheres of cortical surfaces.
- * - SHAPE: every point array with 1 component, by its name, as floats, without the surface
+ * - SPHERE: the triangles and, as float points, 100 times the point array "SpherePosition" (3
+ *   components) (.sphere.surf.gii). 100 is the usual radius of spheres of cortical surfaces.
+ * - SHAPE: every point array with 1 component, with its name, as floats, without the surface
  *   (.shape.gii). Integers beyond 16,777,216 are rounded.
  *
- * Connectome Workbench reads GEOMETRY, SPHERE and SHAPE; it refuses surfaces with arrays.
+ * Connectome Workbench reads files of GEOMETRY, SPHERE and SHAPE. Connectome Workbench does not
+ * read a surface file that has arrays.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -46,9 +48,9 @@ public:
   ///@{
   /**
    * Content of the file. SURFACE (default): the surface with its arrays. GEOMETRY: points and
-   * triangles only. SPHERE: the triangles, with the point array "SpherePosition" times 100 as
-   * points. SHAPE: only the point arrays with 1 component (.shape.gii). Connectome Workbench reads
-   * all but SURFACE.
+   * triangles only. SPHERE: the triangles and, as points, 100 times the point array
+   * "SpherePosition". SHAPE: only the point arrays with 1 component (.shape.gii). Connectome
+   * Workbench does not read files of SURFACE.
    */
   vtkSetClampMacro(Content, int, SURFACE, SHAPE);
   vtkGetMacro(Content, int);

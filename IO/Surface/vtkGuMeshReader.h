@@ -2,11 +2,14 @@
  * @class   vtkGuMeshReader
  * @brief   read meshes in the .m format of MeshLib, with their sphere map
  *
- * Read vertices, faces and the traits sph (as "SpherePosition"), normal, uv and rgb.
+ * Read a mesh in the .m format of MeshLib. A vertex or face of such a file may have named values,
+ * called traits. The trait sph becomes the point array "SpherePosition". The traits normal, uv and
+ * rgb become normals, texture coordinates and colors.
  *
  * Output port 0: vtkPolyData, the vertices (double) and faces of the file.
- * - point array "SpherePosition" (double, 3 components), of unit length: trait sph of the vertices,
- *   as written by H. Hoppe's programs. Either all vertices must have it, or none.
+ * - point array "SpherePosition" (double, 3 components): trait sph of the vertices, as unit
+ *   vectors. Programs of H. Hoppe write this trait. Either all vertices must have the trait, or
+ *   none.
  * - point array "Normals" (double, 3 components), active: trait normal; 0 where it is missing.
  * - point array "TCoords" (double, 2 components), active: trait uv; 0 where it is missing.
  * - point and cell array "RGB" (unsigned char, 3 components), active scalars: trait rgb of vertices
@@ -32,7 +35,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Return whether the first bytes of a file are of this format. The name does not matter.
+   * Return whether the first bytes of a file are those of a .m mesh. The name of the file is not
+   * tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -2,13 +2,13 @@
  * @class   vtkGuMeshWriter
  * @brief   write meshes in the .m format of MeshLib, with their sphere map
  *
- * Write points and polygons. Traits of the points are "SpherePosition" (sph), normals, texture
- * coordinates and colors.
+ * Write points and polygons to a file in the .m format of MeshLib. Named values of each point
+ * (traits) hold its position on the sphere, normal, texture coordinates and color.
  *
  * Input port 0: vtkPolyData. The file has points, polygons and the active colors of the polygons.
- * Traits of the points are
- * - array "SpherePosition" (3 components): trait sph,
- * - active normals, texture coordinates and colors (3 unsigned chars): traits normal, uv, rgb.
+ * Arrays of the points become traits:
+ * - array "SpherePosition" (3 components): trait sph.
+ * - active normals, texture coordinates and colors (3 unsigned chars): traits normal, uv and rgb.
  *
  * Numbers are written with enough digits to be read back exactly.
  *

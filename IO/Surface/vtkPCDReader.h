@@ -2,16 +2,17 @@
  * @class   vtkPCDReader
  * @brief   read clouds in the PCD format of the Point Cloud Library
  *
- * Read PCD clouds as text, binary or compressed, with all fields. Points that are not finite, where
- * the scanner measured nothing, are left out.
+ * Read a point cloud from a PCD file, text, binary or compressed, with all fields. Points with
+ * non-finite coordinates, where the scanner measured nothing, are left out.
  *
- * Output port 0: vtkPolyData, the points of a file of version 0.5 to 0.7, ascii, binary or
- * binary_compressed, with one vertex for each. The points are floats if x, y and z are, otherwise
- * doubles. Points that are not finite, where the scanner measured nothing, are dropped without a
- * warning.
- * - point array "Normals" (float or double, 3 components), active: normal_x, normal_y, normal_z.
- * - point array "RGB" or "RGBA" (unsigned char), active scalars: rgb or rgba of four bytes.
- * - point arrays with the name, type and count of every other field except padding.
+ * Output port 0: vtkPolyData, the points of a file, with one vertex for each point. Versions 0.5 to
+ * 0.7 of the format are read: ascii, binary and binary_compressed. The points are float if the
+ * fields x, y and z are float, otherwise double. Points with non-finite coordinates are dropped
+ * without a warning.
+ * - point array "Normals" (float or double, 3 components), active: fields normal_x, normal_y and
+ *   normal_z.
+ * - point array "RGB" or "RGBA" (unsigned char), active scalars: field rgb or rgba of four bytes.
+ * - point arrays with the name, type and number of components of every other field except padding.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -33,7 +34,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Return whether the first bytes of a file are of this format. The name does not matter.
+   * Return whether the first bytes of a file are those of a PCD file. The name of the file is not
+   * tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

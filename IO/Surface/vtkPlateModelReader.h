@@ -2,17 +2,20 @@
  * @class   vtkPlateModelReader
  * @brief   read plate models of small bodies (.tab, .ver) of the Planetary Data System
  *
- * Read the vertices and triangular plates of a shape model, with or without numbered rows.
+ * Read the vertices and triangular plates of a small body's shape model from a text file, with or
+ * without numbered rows.
  *
  * Output port 0: vtkPolyData, the vertices (double) and triangles of a text file. The file begins
- * with the numbers of vertices and plates and has a row for each. Rows of vertices are X Y Z or I X
- * Y Z. Rows of plates are A B C, I A B C, or 3 A B C, where the 3 may have its own line. I counts
- * from 0 or 1. A, B and C number the vertices from 1, or from 0 if a plate refers to vertex 0.
- * Coordinates are in the file's unit, mostly kilometers. Labels (.lbl, .xml) are ignored.
+ * with the numbers of vertices and plates, and has one row for each vertex and each plate. Let X, Y
+ * and Z be the coordinates of a vertex, I the number of a row, and A, B and C the numbers of a
+ * plate's vertices. Rows of vertices are X Y Z or I X Y Z. Rows of plates are A B C, I A B C, or 3
+ * A B C, where the 3 may be on a separate line. I begins with 0 or 1. Vertices are numbered from 1,
+ * or from 0 if a plate refers to vertex 0. Coordinates are in the unit of the file, usually
+ * kilometers. Label files (.lbl, .xml) are not read.
  *
- * Two similar formats are not supported. vtkOBJReader reads models with lines "v X Y Z" and "f A B
- * C". Digital elevation models of longitude, latitude and radius (other .tab files) are no plate
- * models.
+ * This reader does not read two similar kinds of files. For models with lines "v X Y Z" and "f A B
+ * C", use vtkOBJReader. Other .tab files, with longitude, latitude and radius, are digital
+ * elevation models instead of plate models.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -34,7 +37,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Return whether the first bytes of a file are of this format. The name does not matter.
+   * Return whether the first bytes of a file are those of a plate model. The name of the file is
+   * not tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

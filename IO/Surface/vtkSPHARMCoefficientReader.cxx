@@ -80,7 +80,7 @@ int vtkSPHARMCoefficientReader::RequestData(
     vtkErrorMacro("FileName is not set");
     return 0;
   }
-  const std::string name = this->FileName; // observers of the progress may set another
+  const std::string name = this->FileName; // a copy: observers may change it
   try
   {
     ReadTable(name, output, glue::RunOf(this));

@@ -2,18 +2,22 @@
  * @class   vtkSPHARMCoefficientReader
  * @brief   read spherical-harmonic coefficients of SPHARM-PDM (.coef)
  *
- * Read a table of coefficients, from which vtkSurfaceHarmonicsSource makes the surface.
+ * Read the spherical-harmonic coefficients of a surface from a file of SPHARM-PDM.
+ * vtkSurfaceHarmonicsSource makes the surface from the resulting table.
  *
- * Output port 0: vtkTable as from vtkSurfaceHarmonics, with a row for each harmonic: columns
- * "Degree", "Order" (int) and "X", "Y", "Z" (double). Coefficients are those of real orthonormal
- * harmonics without the Condon-Shortley phase, as vtkSurfaceHarmonicsSource needs them. Those of
- * orders above 0 are (-1)^m / sqrt(2) times the file's.
+ * Output port 0: vtkTable as from vtkSurfaceHarmonics, with one row for each harmonic: columns
+ * "Degree", "Order" (int) and "X", "Y", "Z" (double). The coefficients belong to real orthonormal
+ * harmonics without the Condon-Shortley phase, as required by vtkSurfaceHarmonicsSource. Let m be
+ * the absolute value of the order. If m is above 0, the coefficient in the table is that of the
+ * file, multiplied by (-1)^m / sqrt(2). If m is 0, both are equal.
  *
- * SPHARM-PDM evaluates its own surfaces (..._SPHARM.vtk) at the points opposite to those of its
- * sphere mesh. Their points are those of vtkSurfaceHarmonicsSource in the negative direction.
+ * Let d be a point of the sphere mesh of SPHARM-PDM. In the surfaces that SPHARM-PDM writes
+ * (..._SPHARM.vtk), the corresponding point is evaluated at -d. To get this point from
+ * vtkSurfaceHarmonicsSource, evaluate the harmonics at -d, too.
  *
- * A malformed or truncated file causes an error with the number of its line, an empty output, and
- * an error code of vtkErrorCode. An aborted reader gives an empty output without an error.
+ * If a file is malformed or truncated, the error message states the number of the line. The output
+ * is then empty, and an error code of vtkErrorCode is set. If the reader is aborted, the output is
+ * empty, and there is no error.
  *
  * @sa
  * vtkSPHARMCoefficientWriter vtkSurfaceHarmonicsSource vtkSurfaceHarmonics
@@ -41,17 +45,18 @@ public:
   ///@}
 
   /**
-   * Return whether the first bytes of a file are of this format. The name does not matter.
+   * Return whether the first bytes of a file are those of a coefficient file. The name of the file
+   * is not tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 
   /**
-   * Return the usual extension of such files, with a dot.
+   * Return the usual extension of coefficient files, with a dot.
    */
   const char* GetFileExtensions() { return ".coef"; }
 
   /**
-   * Return the name of the format for lists of file types.
+   * Return the name of the format, as shown in lists of file types.
    */
   const char* GetDescriptiveName() { return "SPHARM-PDM coefficients"; }
 

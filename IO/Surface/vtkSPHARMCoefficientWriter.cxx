@@ -21,7 +21,7 @@ int vtkSPHARMCoefficientWriter::FillInputPortInformation(int, vtkInformation* in
 //------------------------------------------------------------------------------
 void vtkSPHARMCoefficientWriter::WriteFiles(const conformal::Run& run)
 {
-  const std::string path = this->FileName; // observers of the progress may set another
+  const std::string path = this->FileName; // a copy: observers may change it
   const conformal::Points coordinates =
     glue::FromTable(vtkTable::SafeDownCast(this->GetInput(0))).Coefficients.leftCols(3);
   conformal::NamedArray array =

@@ -11,7 +11,8 @@ vtkStandardNewMacro(vtkSPHARMSurfaceReader);
 
 namespace
 {
-// The sphere beside a surface, if there is a file of that name.
+// Return the name of the sphere that belongs to a surface. The name is empty if there is no such
+// file.
 std::string SphereBeside(const char* surface)
 {
   const std::string path = conformal::sphereNameOf(surface);

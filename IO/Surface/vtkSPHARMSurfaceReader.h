@@ -2,13 +2,13 @@
  * @class   vtkSPHARMSurfaceReader
  * @brief   read surfaces of SPHARM-PDM (_surf) with their sphere (_para)
  *
- * Read a surface, such as shape_surf.vtk, and its sphere, shape_para.vtk, as the point array
- * "SpherePosition".
+ * Read a surface of SPHARM-PDM, such as shape_surf.vtk, and its sphere, shape_para.vtk. The points
+ * of the sphere become the point array "SpherePosition".
  *
  * Output port 0: vtkPolyData, the points (float or double) and polygons of a legacy VTK file, such
- * as shape_surf.vtk, text or binary. Its arrays are ignored.
- * - point array "SpherePosition" (double, 3 components), of unit length: the points of the sphere,
- *   shape_para.vtk, which must have the same polygons.
+ * as shape_surf.vtk, text or binary. Arrays of the file are ignored.
+ * - point array "SpherePosition" (double, 3 components): the points of the sphere, shape_para.vtk,
+ *   as unit vectors. The sphere must have the same polygons as the surface.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -32,15 +32,16 @@ public:
   ///@{
   /**
    * Name of the file whose points are the positions of the surface's points on the sphere. Default
-   * is none: for shape_surf.vtk or shape.vtk, the file shape_para.vtk is read if it exists.
+   * is none: if FileName is shape_surf.vtk or shape.vtk, the file shape_para.vtk is read if it
+   * exists.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
   ///@}
 
   /**
-   * Return whether the first bytes of a file are of this format and its sphere is beside it. Other
-   * legacy VTK files are left to VTK's own reader, which reads their arrays.
+   * Return whether the first bytes of a file are those of a legacy VTK file, and its sphere is in
+   * the same folder. Read other legacy VTK files with the readers of VTK, which also read arrays.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkSPHARMSurfaceWriter);
 //------------------------------------------------------------------------------
 void vtkSPHARMSurfaceWriter::WriteFiles(const conformal::Run& run)
 {
-  const std::string path = this->FileName; // observers of the progress may set another
+  const std::string path = this->FileName; // a copy: observers may change it
   const conformal::SurfaceData surface =
     glue::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0)));
   const std::string sphere = conformal::makeSPHARMSphere(surface, run.part(0.0, 0.5));

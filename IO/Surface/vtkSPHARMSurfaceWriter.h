@@ -2,18 +2,19 @@
  * @class   vtkSPHARMSurfaceWriter
  * @brief   write surfaces for SPHARM-PDM (_surf) with their sphere (_para)
  *
- * Write triangles into a file, such as shape_surf.vtk, and their point array "SpherePosition" into
- * shape_para.vtk beside it.
+ * Write two files for SPHARM-PDM: a surface of triangles, such as shape_surf.vtk, and its sphere,
+ * shape_para.vtk in the same folder. The points of the sphere are the point array "SpherePosition".
  *
  * Input port 0: vtkPolyData, triangles with the point array "SpherePosition" (3 components).
  *
- * The writer makes two legacy VTK files of the same triangles: FileName, such as shape_surf.vtk,
- * and shape_para.vtk beside it. The points of the latter are SpherePosition, of unit length. If a
- * name has no _surf before the extension, _para is appended to it. Numbers are written with enough
- * digits to be read back exactly. Other arrays are left out.
+ * The writer makes two legacy VTK files with the same triangles: the surface FileName, such as
+ * shape_surf.vtk, and the sphere shape_para.vtk. The points of the sphere are SpherePosition, as
+ * unit vectors. The name of the sphere is that of the surface, with _para instead of _surf before
+ * the extension. If there is no _surf, _para is inserted before the extension. Numbers are written
+ * with enough digits to be read back exactly. Other arrays are left out.
  *
- * An existing sphere is replaced like the surface, even if another program made it. A warning is
- * given if the sphere existed but the surface did not.
+ * An existing file of the sphere is replaced, even if another program made the file. If the sphere
+ * existed but the surface did not, there is a warning.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

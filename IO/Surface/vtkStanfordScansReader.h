@@ -1,18 +1,21 @@
 /**
  * @class   vtkStanfordScansReader
- * @brief   read range scans and the motions that align them as one cloud
+ * @brief   read several aligned range scans as one point cloud
  *
- * Read all PLY files that a .conf file of the Stanford scanning repository lists, and apply to each
- * its transform from that file. The point array ScanId has the number of each point's scan.
+ * Read all range scans that a .conf file of the Stanford scanning repository lists, as one point
+ * cloud. The .conf file specifies a transform for each scan, which is a PLY file. The reader
+ * applies this transform, so that the scans are aligned. The point array ScanId holds the number of
+ * each point's scan.
  *
- * Output port 0: vtkPolyData, the points (double) of all PLY files that a .conf file of the
- * Stanford scanning repository lists. Each scan is transformed as specified there. There is one
- * vertex for each point.
- * - point array "ScanId" (int, 1 component): number of the scan in the file, counted from 0.
- * - point arrays that all scans have with equal names and types, such as "confidence", "intensity".
+ * Output port 0: vtkPolyData, the points (double) of all scans that the .conf file lists. Each scan
+ * is transformed as specified in the .conf file. There is one vertex for each point.
+ * - point array "ScanId" (int, 1 component): number of the point's scan in the list, counted from
+ *   0.
+ * - every point array that all scans have with the same name, type and number of components, such
+ *   as "confidence" or "intensity".
  * - field array "NumberOfMissingScans" (vtkIdType, 1 component): number of listed scans that do not
- *   exist. The array exists only if it is not 0, with a warning. If all scans are missing, it is an
- *   error.
+ *   exist. If this number is not 0, the array is present, and there is a warning. If all scans are
+ *   missing, there is an error.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -35,9 +38,9 @@ public:
 
   ///@{
   /**
-   * Whether to invert the rotations. Default is off: a point is rotated by the inverse of the
-   * rotation that a quaternion commonly represents, as in the repository's files. If scans do not
-   * overlap, change this property.
+   * Whether to invert the rotations that are applied by default. Default is off: as in the files of
+   * the repository, a point is rotated by the inverse of the rotation that a quaternion usually
+   * represents. If the scans do not overlap, change this property.
    */
   vtkSetMacro(InvertRotation, bool);
   vtkGetMacro(InvertRotation, bool);
@@ -46,7 +49,8 @@ public:
 
   ///@{
   /**
-   * Whether the file may refer to scans outside of its folder, by paths or links. Default is off.
+   * Whether the .conf file may refer, by paths or links, to scans outside of its folder. Default is
+   * off.
    */
   vtkSetMacro(AllowExternalFiles, bool);
   vtkGetMacro(AllowExternalFiles, bool);
@@ -55,7 +59,7 @@ public:
 
   ///@{
   /**
-   * Whether a listed scan that does not exist is an error. Default is off: the other scans are
+   * Whether it is an error if a listed scan does not exist. Default is off: the other scans are
    * read, with a warning.
    */
   vtkSetMacro(RequireAllScans, bool);
@@ -64,7 +68,8 @@ public:
   ///@}
 
   /**
-   * Return whether the first bytes of a file are of this format. The name does not matter.
+   * Return whether the first bytes of a file are those of a .conf file of scans. The name of the
+   * file is not tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

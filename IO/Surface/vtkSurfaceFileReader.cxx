@@ -92,7 +92,7 @@ int vtkSurfaceFileReader::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const conformal::FilePiece piece = PieceOf(outputVector->GetInformationObject(0));
-  // Observers of the progress may set others for the next run.
+  // Copies of properties, since observers of the progress may change them for the next run.
   const std::string fileName = this->FileName ? this->FileName : "";
   const vtkSmartPointer<vtkMultiProcessController> controller = this->Controller;
   conformal::SurfaceResult result;

@@ -1,31 +1,36 @@
 /**
  * @class   vtkSurfaceFileReader
- * @brief   what all readers of scans and meshes have in common
+ * @brief   base class of all readers of scans and meshes of this module
  *
- * Output port 0: vtkPolyData, the points and polygons of a file. A file without polygons is a
- * cloud. It gets one vertex for each point, so that it is visible.
- * - point arrays "Normals" (3 components), "TCoords" (2), "RGB" or "RGBA" (unsigned char): active
- *   where the file has them. The readers describe all other arrays and the types.
+ * Read the points and polygons of a file with the properties, errors and warnings that all readers
+ * of this module have in common.
+ *
+ * Output port 0: vtkPolyData, the points and polygons of a file. A file without polygons is a point
+ * cloud. Each point of a cloud gets a vertex cell, so that the cloud is visible.
+ * - point arrays "Normals" (3 components), "TCoords" (2), "RGB" or "RGBA" (unsigned char): only if
+ *   the file has these data; active. The documentation of each reader describes the types and all
+ *   other arrays.
  * - field arrays "NumberOfDroppedPoints", "NumberOfDroppedPolygons", "NumberOfReplacedValues",
  *   "NumberOfSkippedLines", "NumberOfUnreadBytes", "NumberOfMissingScans" (vtkIdType, 1 component):
- *   each exists only if it is not 0, with a warning. A point of a cloud is dropped if a coordinate
- *   is not finite. A polygon is dropped if it has fewer than 3 ids or a repeated id. Other values
- *   that are not finite are replaced by 0.
+ *   each array is present only if its number is not 0, and then there is a warning. If a coordinate
+ *   of a point of a cloud is not finite, the point is dropped. If a polygon has fewer than 3 ids or
+ *   a repeated id, the polygon is dropped. Other values that are not finite are replaced by 0.
  *
  * Malformed files, truncated files, and meshes with non-finite points or invalid ids cause an
- * error. It states the line or byte, leaves the output empty, and sets an error code of
- * vtkErrorCode. Numbers are read the same in every locale. An aborted reader gives an empty output
- * without an error.
+ * error. The message of the error states the line or byte. The output is then empty, and an error
+ * code of vtkErrorCode is set. Numbers are read in the same way in every locale. If a reader is
+ * aborted, the output is empty, and there is no error.
  *
- * A run uses the properties at its beginning. Observers of the progress may change them, including
- * file names, for the next run.
+ * A run uses the values that the properties have at the beginning of the run. Observers of the
+ * progress may change properties, including file names, for the next run.
  *
- * This class is abstract. Only readers of this module derive from it, since the functions that they
- * implement are not installed. Use one of the derived readers.
+ * This class is abstract. Only readers of this module can be derived from it, since headers of the
+ * functions to implement are not installed. Use one of the derived readers.
  *
- * If a pipeline requests a piece, a reader of clouds reads only its part of the file, where the
- * format can be divided. The pieces together are the whole, in order. A file that cannot be divided
- * is read as the first piece.
+ * A pipeline may request a piece of the data. If the file can be divided, as some files of point
+ * clouds can, the reader then reads only that part of the file. The pieces in sequence are the
+ * whole file. If a file cannot be divided, the first piece is the whole file, and the other pieces
+ * are empty.
  */
 
 #ifndef vtkSurfaceFileReader_h
@@ -57,28 +62,29 @@ public:
   vtkTypeMacro(vtkSurfaceFileReader, vtkAbstractPolyDataReader);
 
   /**
-   * Return the usual extensions of such files, with a dot, separated by blanks.
+   * Return the usual extensions of files of this format, with dots, separated by blanks.
    */
   virtual const char* GetFileExtensions() = 0;
 
   /**
-   * Return the name of the format for lists of file types.
+   * Return the name of the format, as shown in lists of file types.
    */
   virtual const char* GetDescriptiveName() = 0;
 
   /**
-   * Return the names of all files that reading opens, whether they exist or not: FileName, files
-   * that properties name, and files that FileName refers to or that belong to it by their names.
-   * Programs that write files compare names with these, so that they do not replace an input. No
-   * data are read. Every call fills the array anew; it is empty if FileName is not set.
+   * Return the names of all files that the reader would open, whether they exist or not. These are
+   * FileName, files named by other properties, files to which FileName refers, and files that
+   * belong to FileName by their names. A program that writes files can thus avoid replacing an
+   * input. No data are read. Every call fills the array again. If FileName is not set, the array is
+   * empty.
    */
   vtkStringArray* GetReadFileNames();
 
   ///@{
   /**
-   * Controller of the processes that read a file together, if each requests the piece of its
-   * number. An error of one process is then an error of all, so that no process waits for another
-   * in a later filter. Default is the global controller.
+   * Controller of the processes that read a file together, each of which requests the piece with
+   * the number of the process. An error on one process is then reported on all processes. Otherwise
+   * the other processes could wait forever in a later filter. Default is the global controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -93,24 +99,25 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  // Whether Parse reads only the piece. Otherwise it is called for the first piece only, and reads
-  // the whole file.
+  // Return whether Parse reads only the given piece of a file. If not, Parse is called for the
+  // first piece only, and reads the whole file.
   virtual bool CutsFiles() const { return false; }
 
-  // Read the opened file. Throws std::invalid_argument for a property that makes no sense.
-  // Observers of the progress may set properties, also names: what is read after a report is a
-  // copy.
+  // Read the opened file. Throws std::invalid_argument if the value of a property is invalid. An
+  // observer of the progress may set properties, also names. Parse therefore copies those
+  // properties that it uses after it reports progress.
   virtual conformal::SurfaceResult Parse(
     conformal::ByteReader& input, const conformal::FilePiece& piece, const conformal::Run& run) = 0;
 
-  // Names of files that are read with FileName, which is set; empty ones are left out.
+  // Return the names of further files to read besides FileName, which is set. Empty names are
+  // ignored by the caller.
   virtual std::vector<std::string> FilesReadToo() { return {}; }
 
-  // Whether a file can be opened and its first bytes look right.
+  // Return whether a file can be opened, and looksRight returns true for its first bytes.
   static bool StartsLike(VTK_FILEPATH const char* name, bool (*looksRight)(std::string_view));
 
 private:
-  // How reading ended: with an error, aborted, or well.
+  // Result of reading: an error, an abort, or success.
   struct Outcome
   {
     unsigned long ErrorCode = 0;
@@ -120,11 +127,12 @@ private:
   Outcome Read(const std::string& fileName, const conformal::FilePiece& piece, vtkPolyData* output,
     conformal::SurfaceResult& result);
 
-  // That of the first process that did not end well, if there is one.
+  // Return the outcome of the first process that had an error or was aborted. If there is no such
+  // process, return the outcome of this process.
   static Outcome Share(
     const Outcome& own, const conformal::FilePiece& piece, vtkMultiProcessController* controller);
 
-  // Report all that was left out of a file, in warnings and in the output's field data.
+  // Report the numbers of all data that were left out, by warnings and in the output's field data.
   void WarnOfAll(
     const std::string& fileName, const conformal::SurfaceData& data, vtkPolyData* output);
 

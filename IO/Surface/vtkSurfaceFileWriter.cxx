@@ -19,11 +19,12 @@ namespace
 {
 using NamedBytes = std::vector<std::pair<std::string, std::string_view>>;
 
-// The files beside a surface that is new which are there, and so perhaps not this writer's.
+// If the surface's file does not exist, return the names of its other files that exist. They may
+// have been written by another program.
 std::string ForeignFiles(const NamedBytes& files)
 {
   namespace fs = std::filesystem;
-  std::error_code ignored; // writing reports what is wrong
+  std::error_code ignored; // errors are reported later, when files are written
   std::string names;
   if (fs::exists(fs::u8path(files.back().first), ignored))
   {
@@ -67,7 +68,7 @@ int vtkSurfaceFileWriter::Write()
       return 0;
     }
   }
-  this->SetErrorCode(vtkErrorCode::UnknownError); // stays if the pipeline fails before WriteData
+  this->SetErrorCode(vtkErrorCode::UnknownError); // kept if the pipeline fails before WriteData
   const vtkMTimeType before = this->WriteTime;
   const int isWritten = this->Superclass::Write();
   if (this->WriteTime == before && this->GetErrorCode() == vtkErrorCode::NoError)
@@ -94,7 +95,7 @@ void vtkSurfaceFileWriter::WriteData()
     this->WriteFiles(glue::RunOf(this));
     this->SetErrorCode(vtkErrorCode::NoError);
   }
-  catch (const conformal::Aborted&) // asked to abort: nothing was written
+  catch (const conformal::Aborted&) // by the user: nothing was written
   {
     this->SetErrorCode(AbortedError);
   }
@@ -135,7 +136,7 @@ void vtkSurfaceFileWriter::WriteTogether(const NamedBytes& files)
 void vtkSurfaceFileWriter::WriteSurface(
   const std::function<std::string(const conformal::SurfaceData&)>& make)
 {
-  const std::string path = this->FileName; // observers of the progress may set another
+  const std::string path = this->FileName; // a copy: observers may change it
   const std::string bytes = make(glue::ToSurfaceData(vtkPolyData::SafeDownCast(this->GetInput(0))));
   this->WriteTogether({ { path, bytes } });
 }

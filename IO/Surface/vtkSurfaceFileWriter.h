@@ -1,37 +1,43 @@
 /**
  * @class   vtkSurfaceFileWriter
- * @brief   what all writers of scans and meshes have in common
+ * @brief   base class of all writers of scans and meshes of this module
  *
- * Input port 0: vtkPolyData (vtkSPHARMCoefficientWriter: vtkTable), points, with or without
- * polygons. Strips are triangulated; vertices and lines are left out. Active normals, texture
- * coordinates and colors (unsigned char) are written as those of the format, other arrays by their
- * names. The writers describe which of them a format has. Arrays without a tuple for each point or
- * cell, and cells with invalid point ids, are errors.
+ * Write points and polygons to one or more files. All files of one surface are written completely,
+ * or none.
  *
- * This class is abstract. Only writers of this module derive from it, since the functions that they
- * implement are not installed. Use one of the derived writers.
+ * Input port 0: vtkPolyData (for vtkSPHARMCoefficientWriter: vtkTable), points, with or without
+ * polygons. Strips are triangulated. Vertices and lines are left out. Active normals, texture
+ * coordinates and colors (unsigned char) are written as the normals, texture coordinates and colors
+ * of the format. Other arrays are written with their names. The documentation of each writer
+ * describes which arrays its format can store. It is an error if the number of tuples of an array
+ * differs from the number of points or cells. It is also an error if a cell has invalid point ids.
  *
- * Files are written completely or not at all, and so are all files of one surface. After an error,
- * existing files are unchanged, an error code of vtkErrorCode is set, and Write() returns 0. An
- * aborted writer writes nothing and reports no error; Write() returns 0, and the error code is
- * AbortedError. Text is the same in every locale.
+ * This class is abstract. Only writers of this module can be derived from it, since headers of the
+ * functions to implement are not installed. Use one of the derived writers.
  *
- * Some writers make more files beside FileName, with its name and other endings; the writers list
- * them. Existing files of these names are replaced like FileName, even if another program made
- * them. A warning lists those that existed although FileName did not.
+ * After an error, existing files are unchanged, an error code of vtkErrorCode is set, and Write()
+ * returns 0. If a writer is aborted, no file is written, and no error is reported. Write() then
+ * returns 0, and the error code is AbortedError. Written text is the same in every locale.
  *
- * A run uses the properties and inputs at the beginning of Write(). Observers of the progress may
- * change them for the next run.
+ * Some writers write further files in the folder of FileName. Their names are made from FileName,
+ * with other endings; the documentation of each writer lists them. Existing files with these names
+ * are replaced, even if another program made them. If FileName did not exist, a warning lists all
+ * further files that existed.
  *
- * Only regular files are replaced. A directory, pipe, socket or device of the name, and a
- * write-protected file, are refused (CannotOpenFileError). A name with a newline or another control
- * character is refused (UserError). A required port without input is a UserError, too.
+ * A run uses the values that the properties and inputs have at the beginning of Write(). Observers
+ * of the progress may change them for the next run.
  *
- * A symbolic link stays a link; the file to which it points is replaced or made. A replaced file
- * keeps its permissions except setuid, setgid and sticky bits. It keeps its owner and group as far
- * as the system allows. Its other hard links keep the old content. During writing, a file has a
- * temporary name in the same folder, ".conformalsom-" and 16 digits, and the permissions of the
- * file that it replaces.
+ * Only regular files are replaced. If the name is that of a directory, pipe, socket, device or
+ * write-protected file, nothing is written (error code CannotOpenFileError). If the name has a
+ * newline or another control character, nothing is written (error code UserError). If a required
+ * port has no input, the error code is also UserError.
+ *
+ * If FileName is a symbolic link, the link is kept, and the file to which it points is replaced or
+ * made. The new file gets the permissions of the replaced file, except setuid, setgid and sticky
+ * bits. It also gets the owner and the group of the replaced file as far as the system allows.
+ * Other hard links to the replaced file keep the old content. During writing, the new file has a
+ * temporary name in the same folder: ".conformalsom-" followed by 16 digits. It already has the
+ * permissions of the file that it replaces.
  */
 
 #ifndef vtkSurfaceFileWriter_h
@@ -76,8 +82,8 @@ public:
   ///@}
 
   /**
-   * Write the file or files. Returns 1 on success and 0 otherwise; GetErrorCode() then returns the
-   * reason.
+   * Write the file or files. Returns 1 on success. Otherwise it returns 0, and GetErrorCode()
+   * returns the cause.
    */
   int Write() override;
 
@@ -88,16 +94,16 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
 
-  // Write everything; the file's name is set. Exceptions become errors.
+  // Write all files. FileName is set. The caller converts exceptions to errors.
   virtual void WriteFiles(const conformal::Run& run) = 0;
 
-  // Write files all and whole, or none. The last is that of FileName, those before it are named
-  // after it: a warning names those that were there, and are replaced, though the last was not.
-  // All writers write their files by this, and none in another way.
+  // Write all given files completely, or none. The last file is FileName. Names of the other files
+  // are made from FileName. If FileName did not exist, a warning lists the other files that existed
+  // and are replaced. All writers must write files by this function only.
   void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files);
 
-  // Write what is made of the input to the one file. A std::invalid_argument says that the format
-  // cannot hold the surface.
+  // Convert the input by a function, and write the resulting text to FileName. The function throws
+  // std::invalid_argument if the format cannot store the surface.
   void WriteSurface(const std::function<std::string(const conformal::SurfaceData&)>& make);
 
   char* FileName = nullptr;

@@ -27,7 +27,7 @@ namespace
 {
 using glue::WriteError;
 
-// Empty without a picture.
+// Return the picture as JPEG. The result is empty if there is no picture.
 std::string ToJPEG(vtkImageData* picture, int maximumSize, int quality)
 {
   if (!picture)
@@ -78,7 +78,7 @@ std::array<double, 9> ToRows(const conformal::SphereView& view)
   return rows;
 }
 
-// How surface and sphere stand before the viewer at first.
+// Set the orientation of surface and sphere when the page is opened.
 void SetAxes(conformal::SurfacePageOptions& page, const conformal::SurfaceData& surface,
   const conformal::Vector3& direction, const conformal::Vector3& up)
 {
@@ -135,7 +135,7 @@ int vtkSurfacePageWriter::FillInputPortInformation(int port, vtkInformation* inf
 //------------------------------------------------------------------------------
 void vtkSurfacePageWriter::WriteFiles(const conformal::Run& run)
 {
-  const std::string name = this->FileName; // observers of the progress may set another
+  const std::string name = this->FileName; // a copy: observers may change it
   const conformal::SurfaceData surface =
     glue::ToSurfaceData(glue::OnlyTriangles(vtkPolyData::SafeDownCast(this->GetInput(0))));
   conformal::SurfacePageOptions options;

@@ -2,36 +2,40 @@
  * @class   vtkSurfacePageWriter
  * @brief   write a web page that shows a surface and its sphere in any browser
  *
- * Write one file that needs no network. Surface and sphere rotate side by side, colored by a
- * picture or any point array. A point picked on one is marked on the other.
+ * Write a web page that shows a surface and its map to the sphere. The page is one file that needs
+ * no network. Surface and sphere rotate side by side, colored by a picture or any point array. A
+ * point that is picked on the surface is also marked on the sphere, and vice versa.
  *
- * Input port 0: vtkPolyData, the surface; polygons and strips are triangulated, vertices and lines
+ * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertices and lines
  * are left out.
- * - point array "SpherePosition" (float or double, 3 components): its map to the sphere.
- * - active texture coordinates of the points (float or double, 2 components): required with a
- *   picture. The surface must be cut along the picture's seams, by SplitSeam of
+ * - point array "SpherePosition" (float or double, 3 components): position of the point on the
+ *   sphere.
+ * - active texture coordinates of the points (float or double, 2 components): required if there is
+ *   a picture. The surface must be cut along the seams of the picture, by SplitSeam of
  *   vtkSphericalTextureMap.
- * - all other numeric point arrays: shown as colors with a legend. Arrays of 3 or 4 unsigned chars
- *   are colors themselves; other arrays of several components are shown by the length of their
- *   tuples. "Normals" and "vtkGhostType" are left out. Values that are not finite are shown as
- *   missing.
+ * - all other numeric point arrays: shown as colors with a legend. An array of 3 or 4 unsigned
+ *   chars is shown directly as RGB or RGBA colors. For other arrays with several components, the
+ *   magnitude of each tuple is shown. "Normals" and "vtkGhostType" are left out. Values that are
+ *   not finite are shown as missing.
  *
  * Input port 1, optional: vtkImageData, the picture: one slice of unsigned char, 3 (RGB) or 4
  * (RGBA) components.
  *
- * The page is one file that needs no network, and sends nothing. It opens in any browser of 2023 or
- * later, also on phones. Surface and sphere rotate side by side, and a slider morphs the surface
- * into the sphere. A point picked on one is marked on the other, with its position, its values, and
- * its longitude and latitude as in vtkBodyMap. The title is the name of the file without the
- * ending.
+ * The page is one file that needs no network and sends no data. Any browser of 2023 or later can
+ * open the page, also on phones. Surface and sphere rotate side by side, and a slider morphs the
+ * surface into the sphere. A point that is picked on the surface is also marked on the sphere, and
+ * vice versa. The page then shows the position of the point, its values, and its longitude and
+ * latitude as in vtkBodyMap. The title of the page is the name of the file without the extension.
  *
- * The page draws with three.js. The writer copies it into the page from its installation: package
- * libjs-three on Debian. A missing three.js is an error.
+ * The page uses the library three.js for graphics. The writer copies this library into the page
+ * from a file on this computer, on Debian from the package libjs-three. If the file is missing,
+ * there is an error.
  *
- * Positions have 16 bits per coordinate, within the bounds of the surface. Positions on the sphere
- * have an error of at most 0.006 degrees. Values have an error of at most 1/65534 of their array's
- * range; integers are exact within a range of 4 * 10^9. With the picture as JPEG, a page of 64,002
- * points has at most 3 MB, unless it has many arrays. Each array adds up to 0.2 MB.
+ * Data in the page are rounded. Positions have 16 bits per coordinate, within the bounds of the
+ * surface. Positions on the sphere have an error of at most 0.006 degrees. Values have an error of
+ * at most 1/65534 of the range of their array. Integers are exact if the range of their array is at
+ * most 4 * 10^9. A page of 64,002 points, with a picture as JPEG and few arrays, has at most 3 MB.
+ * Each array adds up to 0.2 MB.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -59,7 +63,7 @@ public:
 
   ///@{
   /**
-   * The picture: one slice of unsigned char, RGB or RGBA.
+   * Set the picture: one slice of unsigned char, RGB or RGBA.
    */
   void SetTextureConnection(vtkAlgorithmOutput* algOutput);
   void SetTextureData(vtkImageData* picture);
@@ -67,8 +71,9 @@ public:
 
   ///@{
   /**
-   * Name of the point array that the page shows first; a menu offers the others. If empty
-   * (default): the picture, else the active colors, else the first array that is not constant.
+   * Name of the point array that the page shows first. A menu offers the other arrays. If the name
+   * is empty (default), the page first shows the picture. Without a picture, it shows the active
+   * colors; without colors, it shows the first array that is not constant.
    */
   vtkSetMacro(ColorArrayName, std::string);
   vtkGetMacro(ColorArrayName, std::string);
@@ -76,9 +81,9 @@ public:
 
   ///@{
   /**
-   * Direction from the model to the viewer when the page opens, in the coordinates of the model. Of
-   * any length but 0. The middle of the sphere shows the first point of the surface along the line
-   * of sight. Default is (0, 0, 1).
+   * Direction from the model to the viewer when the page is opened, in the coordinates of the
+   * model. The vector may have any length but 0. The middle of the sphere shows the first point of
+   * the surface along the line of sight. Default is (0, 0, 1).
    */
   vtkSetVector3Macro(ViewDirection, double);
   vtkGetVector3Macro(ViewDirection, double);
@@ -86,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Direction that is up for the viewer, in the coordinates of the model. Of any length but 0, and
-   * not parallel to ViewDirection. Default is (0, 1, 0).
+   * Direction that is up for the viewer, in the coordinates of the model. The vector may have any
+   * length but 0, and must not be parallel to ViewDirection. Default is (0, 1, 0).
    */
   vtkSetVector3Macro(ViewUp, double);
   vtkGetVector3Macro(ViewUp, double);
@@ -95,8 +100,8 @@ public:
 
   ///@{
   /**
-   * Whether the picture repeats beyond the texture coordinates 0 and 1. Default is off: the color
-   * of its border is used.
+   * Whether the picture is repeated where texture coordinates are outside of [0, 1]. Default is
+   * off: the color at the border of the picture is used there.
    */
   vtkSetMacro(RepeatTexture, bool);
   vtkGetMacro(RepeatTexture, bool);
@@ -105,8 +110,8 @@ public:
 
   ///@{
   /**
-   * Maximum number of pixels along the longer side of the picture in the page; larger pictures are
-   * scaled down. In [1, 8192]. Default is 2048, which every phone supports.
+   * Maximum number of pixels along the longer side of the picture in the page. Larger pictures are
+   * scaled down. In [1, 8192]. Default is 2048, a size that every phone supports.
    */
   vtkSetClampMacro(MaximumTextureSize, int, 1, 8192);
   vtkGetMacro(MaximumTextureSize, int);
@@ -114,7 +119,8 @@ public:
 
   ///@{
   /**
-   * JPEG quality of the picture: 1 is smallest, 100 is best. In [1, 100]. Default is 85.
+   * JPEG quality of the picture. With 1, the page is smallest; with 100, the quality is best. In
+   * [1, 100]. Default is 85.
    */
   vtkSetClampMacro(TextureQuality, int, 1, 100);
   vtkGetMacro(TextureQuality, int);
@@ -123,7 +129,8 @@ public:
   ///@{
   /**
    * File name of three.js, release 111 or later, as a classic script or a CommonJS module:
-   * three.min.js, three.js or three.cjs. If empty (default), that of Debian's package libjs-three.
+   * three.min.js, three.js or three.cjs. If the name is empty (default), the file of Debian's
+   * package libjs-three is used.
    */
   vtkSetMacro(ThreeJSFileName, std::string);
   vtkGetMacro(ThreeJSFileName, std::string);

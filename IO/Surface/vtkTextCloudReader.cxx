@@ -10,7 +10,7 @@ vtkStandardNewMacro(vtkTextCloudReader);
 //------------------------------------------------------------------------------
 int vtkTextCloudReader::CanReadFile(const char* name)
 {
-  // A count and numbered rows may be the vertices of a plate model.
+  // A count and numbered rows may also be the vertices of a plate model, which is excluded.
   const auto looksRight = [](std::string_view start)
   { return conformal::looksLikeTextCloud(start) && !conformal::looksLikePlateModel(start); };
   return Superclass::StartsLike(name, looksRight) ? 1 : 0;

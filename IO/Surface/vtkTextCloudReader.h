@@ -1,25 +1,29 @@
 /**
  * @class   vtkTextCloudReader
- * @brief   read clouds of points as text: XYZ, ASC, TXT, CSV, NTS, PTS
+ * @brief   read point clouds as text: XYZ, ASC, TXT, CSV, NTS, PTS
  *
- * Read one point from each line, with any separator of the numbers: XYZ, ASC, TXT, CSV, NTS and PTS
- * files. A line of column names, or the numbers themselves, determine which columns are normals,
- * colors and intensities.
+ * Read a point cloud from a text file, one point from each line: XYZ, ASC, TXT, CSV, NTS and PTS
+ * files. Numbers may be separated by blanks, tabs, commas or semicolons. A line of column names, or
+ * the values of the numbers, determine which columns are normals, colors and intensities.
  *
  * Output port 0: vtkPolyData, one point (double) and one vertex for each line. Numbers are
  * separated by blanks, tabs, commas or semicolons. Blank lines and lines that begin with #, // or ;
- * are skipped. A number alone on the first line is the number of points that follow, as in PTS
- * files, which may have several such blocks.
+ * are skipped. If the first line is a single number, it is the number of points that follow, as in
+ * PTS files. A file may have several such blocks.
  *
- * A line of column names before the numbers, also as a comment, defines the columns. Otherwise
- * their number and their values in the first hundred lines determine them.
- * - point array "Normals" (double, 3 components), active: columns nx, ny, nz or normal_x ...; the
- *   last three of six if all are of unit length.
- * - point array "RGB" (unsigned char, 3 components), active scalars: columns r, g, b or red ... if
- *   all are integers in 0..255; the last three of six; with the normals of nine.
- * - point array "Intensity" (double, 1 component): column i or intensity; the fourth of four; with
- *   the colors of seven.
- * - point arrays (double, 1 component) with the name of every other column, or "Column4" and so on.
+ * A line of column names before the numbers defines the meaning of the columns. This line may be a
+ * comment. Without column names, the number of columns and the values in the first hundred lines
+ * determine the meaning.
+ * - point array "Normals" (double, 3 components), active: columns nx, ny, nz or normal_x, normal_y,
+ *   normal_z. Without names, these are the last three of six columns, if all of these vectors have
+ *   unit length.
+ * - point array "RGB" (unsigned char, 3 components), active scalars: columns r, g, b or red, green,
+ *   blue, if all values are integers in [0, 255]. Without names, these are the last three of six
+ *   columns; in nine columns, normals and colors are recognized together.
+ * - point array "Intensity" (double, 1 component): column i or intensity. Without names, this is
+ *   the fourth of four columns; in seven columns, intensity and colors are recognized together.
+ * - one point array (double, 1 component) for every other column, with the name of the column.
+ *   Without names, the arrays are "Column4" and so on.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -43,7 +47,7 @@ public:
   ///@{
   /**
    * Whether the decimal separator is a comma, as in 0,5. Commas then do not separate numbers.
-   * Default is off: a file with such numbers between blanks or semicolons is refused.
+   * Default is off: if a file has such numbers between blanks or semicolons, there is an error.
    */
   vtkSetMacro(DecimalComma, bool);
   vtkGetMacro(DecimalComma, bool);
@@ -52,8 +56,8 @@ public:
 
   ///@{
   /**
-   * Whether lines without a valid point are skipped and counted in field array
-   * "NumberOfSkippedLines". Default is off: such a line is an error.
+   * Whether lines without a valid point are skipped, and counted in the field array
+   * "NumberOfSkippedLines". Default is off: a line without a valid point is an error.
    */
   vtkSetMacro(SkipMalformedLines, bool);
   vtkGetMacro(SkipMalformedLines, bool);
@@ -61,7 +65,8 @@ public:
   ///@}
 
   /**
-   * Return whether the first lines of a file are of this format. The name does not matter.
+   * Return whether the first lines of a file are points as text. The name of the file is not
+   * tested.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

@@ -1,15 +1,17 @@
 /**
  * @class   vtkTextCloudWriter
- * @brief   write clouds of points as text
+ * @brief   write point clouds as text
  *
- * Write one point per line, with all its numbers separated by blanks. A comment at the beginning
- * names the columns. Polygons are left out.
+ * Write a point cloud as text, with one point in each line. The coordinates of the point and its
+ * values in all arrays are separated by blanks. A comment at the beginning names the columns.
+ * Polygons are left out.
  *
- * Input port 0: vtkPolyData. Each line has one point, with all its numbers separated by blanks. A
- * comment at the beginning names the columns if there are more than x, y and z. Arrays of several
- * components other than active normals and colors (3 unsigned chars) become several columns. A name
- * that another column already has gets a trailing "_". Polygons are left out. Numbers are written
- * with enough digits to be read back exactly.
+ * Input port 0: vtkPolyData. Each line has the coordinates of one point and its values in all
+ * arrays, separated by blanks. If there are more columns than x, y and z, a comment at the
+ * beginning names the columns. Columns of active normals and colors (3 unsigned chars) get the
+ * names that vtkTextCloudReader recognizes. Any other array with several components becomes several
+ * columns. If another column already has the same name, "_" is appended to the name. Polygons are
+ * left out. Numbers are written with enough digits to be read back exactly.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

@@ -50,7 +50,7 @@ std::vector<float> ToUnitVectors(vtkDataArray* array)
     array->GetTuple(i, n);
     const double length = std::hypot(n[0], n[1], n[2]);
     const bool hasDirection = std::isfinite(length) && length > 0.0;
-    for (int c = 0; c < 3; ++c) // the formats know no normal without direction
+    for (int c = 0; c < 3; ++c) // formats have no zero normals
     {
       vectors.push_back(static_cast<float>(hasDirection ? n[c] / length : (c == 2 ? 1.0 : 0.0)));
     }
@@ -164,7 +164,7 @@ int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation*
 //------------------------------------------------------------------------------
 void vtkTexturedSurfaceWriter::WriteFiles(const conformal::Run& run)
 {
-  const std::string name = this->FileName; // observers of the progress may set another
+  const std::string name = this->FileName; // a copy: observers may change it
   const std::filesystem::path path = std::filesystem::u8path(name);
   const std::string extension = LowerCaseExtension(path);
   if (extension != ".glb" && extension != ".obj" && extension != ".ply")

@@ -2,30 +2,31 @@
  * @class   vtkTexturedSurfaceWriter
  * @brief   write a surface and its texture as binary glTF, OBJ or PLY
  *
- * Write a surface with its active texture coordinates and its picture: .glb as one file, .obj and
- * .ply with a PNG beside them.
+ * Write a surface with its active texture coordinates and its picture, the texture. A .glb file
+ * contains the picture. For .obj and .ply, the picture is a PNG file in the same folder.
  *
- * Input port 0: vtkPolyData, the surface; polygons and strips are triangulated, vertices and lines
+ * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertices and lines
  * are left out.
- * - active texture coordinates of the points (any type, 2 components): u to the right and v up. The
- *   borders of the picture are 0 and 1. RepeatTexture defines the color beyond them.
+ * - active texture coordinates of the points (any type, 2 components): u to the right and v upward.
+ *   At the borders of the picture, coordinates are 0 and 1. RepeatTexture defines the color beyond
+ *   the borders.
  * - active normals of the points (any type, 3 components): optional.
  *
  * Input port 1: vtkImageData, the texture: one slice of unsigned char, 3 (RGB) or 4 (RGBA)
  * components.
  *
  * The extension of FileName, in lower or upper case, selects the format:
- * - ".glb": binary glTF 2.0, one file with the texture inside. Its coordinates are floats. Far from
- *   the origin, floats could shift a point by more than 1e-5 of the surface's size. Coordinates are
- *   then relative to the surface's middle, and its node is translated there. The surface has the
- *   name of the file.
- * - ".obj": Wavefront OBJ with doubles, and beside it a material (".mtl") and the texture (".png")
- *   of the same name.
- * - ".ply": binary PLY with doubles and the texture coordinates "texture_u" and "texture_v" at the
- *   vertices, and beside it the texture (".png") of the same name.
+ * - ".glb": binary glTF 2.0, one file with the texture inside. Coordinates are floats. If the
+ *   surface is far from the origin, rounding to floats could shift a point by more than 1e-5 of the
+ *   surface's size. Coordinates are then relative to the middle of the surface, and the node of the
+ *   surface has a translation to this middle. The node has the name of the file.
+ * - ".obj": Wavefront OBJ with doubles. Two further files with the same name are written: a
+ *   material (".mtl") and the texture (".png").
+ * - ".ply": binary PLY with doubles, and with the texture coordinates "texture_u" and "texture_v"
+ *   of the vertices. One further file with the same name is written: the texture (".png").
  *
- * Existing files beside ".obj" and ".ply" are replaced like FileName, even if another program made
- * them. A warning is given if they existed although FileName did not.
+ * If a material or texture of this name exists, it is replaced, even if another program made the
+ * file. If it existed but FileName did not, there is a warning.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -51,7 +52,7 @@ public:
 
   ///@{
   /**
-   * The picture: one slice of unsigned char, RGB or RGBA.
+   * Set the picture: one slice of unsigned char, RGB or RGBA.
    */
   void SetTextureConnection(vtkAlgorithmOutput* algOutput);
   void SetTextureData(vtkImageData* picture);
@@ -59,9 +60,9 @@ public:
 
   ///@{
   /**
-   * Whether the picture repeats beyond the texture coordinates 0 and 1. Default is off: the color
-   * of its border is used. Only glTF stores this property; with OBJ and PLY the behavior depends on
-   * the program.
+   * Whether the picture is repeated where texture coordinates are outside of [0, 1]. Default is
+   * off: the color at the border of the picture is used there. Only glTF stores this property. For
+   * OBJ and PLY, the behavior depends on the program that shows the surface.
    */
   vtkSetMacro(RepeatTexture, bool);
   vtkGetMacro(RepeatTexture, bool);
@@ -71,8 +72,8 @@ public:
   ///@{
   /**
    * Length of one unit of the coordinates in meters, such as 0.001 for a scan in millimeters. Used
-   * only by glTF, whose unit is the meter; programs then show the surface in its true size. A
-   * finite number above 0. Default is 1.
+   * only for glTF, whose unit is the meter, so that programs show the surface in its true size. The
+   * value is finite and above 0. Default is 1.
    */
   vtkSetMacro(MetersPerUnit, double);
   vtkGetMacro(MetersPerUnit, double);
