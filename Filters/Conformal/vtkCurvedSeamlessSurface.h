@@ -175,9 +175,10 @@ public:
    * Controller of the processes that share the point cloud if DomeHeight is FITTED. Each process
    * runs this filter on its own piece of the cloud, which may be empty. The surface of the first
    * process that has one is fitted to the points of all processes. The result is equal bit by bit
-   * for any number of processes. Only that process gets the result and the map; the other processes
-   * get an empty surface. For other values of DomeHeight, each process makes the surface of its own
-   * input. Default is the global controller. With null, only the cloud of this process is used.
+   * for any number of processes. Only that process gets the resulting surface; the other processes
+   * get an empty surface. All processes get the map. For other values of DomeHeight, each process
+   * makes the surface of its own input. Default is the global controller. With null, only the cloud
+   * of this process is used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
