@@ -4,6 +4,7 @@
 launcher=()
 if command -v ccache >/dev/null; then
   launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS:-pch_defines,time_macros}" # for precompiled headers
 fi
 
 # install PACKAGE...: besides what every build with tests wants
@@ -53,6 +54,10 @@ run_tests()
   local preset=$1 log=build/$1/test.log status=0
   shift
   echo "Testing in build/$preset"
+  # Tests write thousands of small files: in memory they take a fifth of the time.
+  if [ -z "${TMPDIR:-}" ] && [ -w /dev/shm ] && [ "$(df --output=avail -k /dev/shm | tail -n 1)" -gt 4000000 ]; then
+    local -x TMPDIR=/dev/shm
+  fi
   # Without -noreset the server starts anew whenever no window is open, and meanwhile refuses some.
   xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" \
     ctest --preset "$preset" -j2 "$@" >"$log" 2>&1 || status=$?

@@ -113,7 +113,7 @@ std::vector<ProgressRun> ProgressRuns()
     };
   };
   return { Run<F>("head", head),
-    Run<F>("head, large", head, [](F* som) { som->SetNumberOfNeurons(49002); }),
+    Run<F>("head, large", head, [](F* som) { som->SetNumberOfNeurons(25002); }),
     Run<F>("head, without a fit", head, [](F* som) { som->SetFitIterations(0); }),
     Run<F>("limbs", limbs),
     Run<F>("head, from the sphere", head, [](F* som) { som->SetStartingShapeToSphere(); }),
@@ -131,7 +131,7 @@ std::vector<ProgressRun> ProgressRuns()
         som->SetNumberOfEpochs(8);
       }),
     Run<F>(
-      "large head", []() { return Head(300); }, [](F* som) { som->SetNumberOfNeurons(4002); }),
+      "large head", []() { return Head(160); }, [](F* som) { som->SetNumberOfNeurons(4002); }),
     Run<F>("limbs, adaptive", limbs, [](F* som) { som->SetMeshTypeToAdaptive(); }) };
 }
 

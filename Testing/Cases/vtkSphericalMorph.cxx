@@ -74,7 +74,7 @@ ProgressRun MorphsOn(const std::string& name, bool isFine, int path, int meshTyp
   return { name,
     [=]() -> Maker
     {
-      const SurfacePointer source = Colored(Head(isFine ? 180 : 60));
+      const SurfacePointer source = Colored(Head(isFine ? 110 : 60));
       const SurfacePointer target = isFine ? source : Colored(Limbs(80));
       return [=]() -> Algorithm
       {

@@ -106,6 +106,7 @@ Case SphericalTemplate()
           filter->AddInputDataObject(surface);
         }
         filter->SetMaximumNumberOfRounds(1);
+        filter->SetFrequency(16);
         return filter;
       };
     } } };

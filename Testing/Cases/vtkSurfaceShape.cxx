@@ -32,7 +32,7 @@ Case SurfaceShape()
   all.Scaled = { Scaled<F>("MeasuresShape",
     [](F* f, double scale) { f->SetInputData(BumpyMesh(scale)); },
     { { "SulcalDepth", 1 }, { "MeanCurvature", -1 }, { "GaussianCurvature", -2 } }) };
-  const auto fine = []() { return Head(250); };
+  const auto fine = []() { return Head(120); };
   all.Progress = { Run<F>("smoothed", fine),
     Run<F>("not smoothed", fine, [](F* f) { f->SetCurvatureScale(0.0); }) };
   all.Fuzz = [](fuzz::FilterSource& source)
