@@ -165,7 +165,6 @@ void CurvedSeamlessSurface::curve(
   if (this->Options.VertexShift > 0.0 && this->Options.DomeHeight != DomeHeight::None)
   {
     const Points lowered = lowerVertices(this->Curved, around, this->Options.VertexShift, run);
-    normals = vertexNormals(lowered, this->Triangles, around, run);
     this->Curved = CurvedTriangles(lowered, normals, this->Triangles);
   }
   if (this->Options.DomeHeight == DomeHeight::Fitted)

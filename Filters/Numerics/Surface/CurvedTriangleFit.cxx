@@ -280,8 +280,8 @@ void forEachCurvedFoot(const CurvedTriangles& surface, const TrainingSamples& sa
 /// Convert lengths to the samples' normalized unit, or back.
 CurvedTriangles inUnit(const CurvedTriangles& surface, const TrainingSamples& samples, bool restore)
 {
-  const Points positions = restore ? samples.restoreAll(surface.positions())
-                                   : samples.normalizeAll(surface.positions());
+  const Points positions =
+    restore ? samples.restoreAll(surface.positions()) : samples.normalizeAll(surface.positions());
   return CurvedTriangles(positions, surface.normals(), surface.triangles());
 }
 

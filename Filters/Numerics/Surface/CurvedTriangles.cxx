@@ -105,10 +105,20 @@ Vector3 CurvedTriangle::surfaceNormal(const Vector3& barycentric) const
 }
 
 //------------------------------------------------------------------------------
-Vector3 CurvedTriangle::rise(int edge) const
+// The integral of m_0^a m_1^b m_2^c over a triangle is 2 area a! b! c! / (a + b + c + 2)!. The
+// weights are those of (m_k^2 m_j + m_0 m_1 m_2 / 2) times the coordinate of the corner.
+Vector3 CurvedTriangle::moment(int corner) const
 {
-  const int i = next(edge), j = previous(edge);
-  return -(this->Rise(i, j) * this->N[i] + this->Rise(j, i) * this->N[j]) / 8.0;
+  Vector3 sum = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    for (const int j : { next(k), previous(k) })
+    {
+      const double weight = corner == k ? 7.0 : corner == j ? 5.0 : 3.0;
+      sum -= weight * this->Rise(k, j) * this->N[k];
+    }
+  }
+  return sum / 360.0;
 }
 
 //------------------------------------------------------------------------------
@@ -209,7 +219,7 @@ Points lowerVertices(
   struct Domes
   {
     double Area;
-    std::array<Vector3, 3> Heights; // at the midpoint of the edge opposite to each corner
+    std::array<Vector3, 3> Moments;
   };
   const Points& normals = surface.normals();
   const conformal::Triangles& triangles = surface.triangles();
@@ -222,36 +232,64 @@ Points lowerVertices(
         const CurvedTriangle triangle = surface[r];
         const std::array<Vector3, 3>& w = triangle.positions();
         domes[r] = { 0.5 * (w[1] - w[0]).cross(w[2] - w[0]).norm(),
-          { triangle.rise(0), triangle.rise(1), triangle.rise(2) } };
+          { triangle.moment(0), triangle.moment(1), triangle.moment(2) } };
       }
     });
-  Points lowered = surface.positions();
-  forBlocks(run, lowered.rows(), BlockSize,
+
+  // With the row sums C of M, the iteration solves C^-1 M u = C^-1 g.
+  const Index numberOfVertices = normals.rows();
+  Eigen::VectorXd residual = Eigen::VectorXd::Zero(numberOfVertices);
+  Eigen::VectorXd rowSums = residual;
+  forBlocks(run, numberOfVertices, BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
       {
-        Vector3 volume = Vector3::Zero();
-        double area = 0.0;
+        Vector3 integral = Vector3::Zero();
         for (const int* r = around.begin(i); r != around.end(i); ++r)
         {
-          const Domes& its = domes[*r];
-          for (int k = 0; k < 3; ++k)
-          {
-            // Integrals of the bubble 4 m_i m_j against m_k, and against m_i or m_j.
-            const double weight = triangles(*r, k) == i ? 1.0 / 15.0 : 2.0 / 15.0;
-            volume += its.Area * weight * its.Heights[k];
-          }
-          area += its.Area / 3.0;
+          const int corner = triangles(*r, 0) == i ? 0 : triangles(*r, 1) == i ? 1 : 2;
+          integral += domes[*r].Area * domes[*r].Moments[corner];
+          rowSums[i] += domes[*r].Area / 3.0;
         }
-        if (area > 0.0)
+        if (rowSums[i] > 0.0)
         {
-          const Vector3 normal = normals.row(i);
-          lowered.row(i) -= share * normal.dot(volume) / area * normal;
+          residual[i] = integral.dot(normals.row(i)) / rowSums[i];
         }
       }
     });
-  return lowered;
+  constexpr double minimum = 0.25, maximum = 1.0; // eigenvalues
+  constexpr double center = 0.5 * (maximum + minimum), radius = 0.5 * (maximum - minimum);
+  constexpr int steps = 8;
+  Eigen::VectorXd step = residual / center;
+  Eigen::VectorXd moves = Eigen::VectorXd::Zero(numberOfVertices);
+  double rho = radius / center;
+  for (int count = 0; count < steps; ++count)
+  {
+    moves += step;
+    forBlocks(run, numberOfVertices, BlockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          double product = 0.0;
+          for (const int* r = around.begin(i); r != around.end(i); ++r)
+          {
+            const auto ids = triangles.row(*r);
+            product +=
+              domes[*r].Area / 12.0 * (step[i] + step[ids[0]] + step[ids[1]] + step[ids[2]]);
+          }
+          if (rowSums[i] > 0.0)
+          {
+            residual[i] -= product / rowSums[i];
+          }
+        }
+      });
+    const double next = 1.0 / (2.0 * center / radius - rho);
+    step = next * rho * step + 2.0 * next / radius * residual;
+    rho = next;
+  }
+  return surface.positions() - Points(normals.array().colwise() * (share * moves.array()));
 }
 
 //------------------------------------------------------------------------------

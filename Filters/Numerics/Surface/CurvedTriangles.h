@@ -53,9 +53,9 @@ public:
   const std::array<Vector3, 3>& positions() const { return this->W; }
   const std::array<Vector3, 3>& normals() const { return this->N; }
 
-  /// Return the displacement from the midpoint of a flat edge to the midpoint of the curved edge.
-  /// The edge is identified by the opposite corner, in {0, 1, 2}.
-  Vector3 rise(int edge) const;
+  /// Return the mean of the displacement q(m) - sum_k m_k w_k over the flat triangle, weighted by
+  /// the barycentric coordinate of a corner, in {0, 1, 2}.
+  Vector3 moment(int corner) const;
 
 private:
   Vector3 controlPoint(int k, int j) const;
@@ -110,11 +110,20 @@ private:
 /// such a mesh are in the middle of the points. Vertices on ridges are therefore outside. Curved
 /// triangles through these vertices would be too far outside.
 ///
-/// Let w_i be the position and n_i the normal of vertex i. Let c_i be a third of the area of the
-/// adjacent triangles. Let g_i be the integral of the displacement from the flat to the curved
-/// triangles. The integral is weighted by the hat function of the vertex. The new position is w_i -
-/// share n_i (n_i . g_i) / c_i. This is one step of a projection of the curved surface onto the
-/// flat surface, with a lumped mass matrix.
+/// Let w_i be the position and n_i the normal of vertex i, and let phi_i be the hat function of the
+/// vertex: the piecewise linear function that is 1 there and 0 at all other vertices. Let g_i be
+/// the integral of phi_i times the displacement from the flat to the curved triangles. The moves
+/// u_i solve M u = (n_i . g_i). The mass matrix M contains the integrals of phi_i phi_j over the
+/// flat triangles. The new position is w_i - share u_i n_i. With share 1, this is the L2 projection
+/// of the displacement onto piecewise linear functions.
+///
+/// The normals are those of the flat triangles, also for the moved vertices. Normals of the moved
+/// mesh were measured to be worse, since moving a vertex sharpens the mesh.
+///
+/// Implementation note: the system is solved by 8 steps of the Chebyshev iteration, preconditioned
+/// by the row sums of M. The eigenvalues are then in [1/4, 1], so that each step reduces the error
+/// by a factor of 3. The steps need no sums over all vertices, and the result has the same bits for
+/// any number of threads.
 ///
 /// @param[in] surface  curved triangles through the original vertices
 /// @param[in] around  triangles around each vertex, see vertexTriangles()

@@ -82,11 +82,10 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
     positions.row(i) = samples.normalize(mesh.Positions.row(i));
   }
   const Adjacency around = vertexTriangles(triangles, positions.rows());
-  const CurvedTriangles raised(
-    positions, vertexNormals(positions, triangles, around, preparing), triangles);
+  const Points normals = vertexNormals(positions, triangles, around, preparing);
+  const CurvedTriangles raised(positions, normals, triangles);
   const Points moved = lowerVertices(raised, around, 1.0, preparing);
-  const CurvedTriangles lowered(
-    moved, vertexNormals(moved, triangles, around, preparing), triangles);
+  const CurvedTriangles lowered(moved, normals, triangles);
   Eigen::VectorXd moves = (moved - positions).rowwise().norm();
   const double unit =
     meanOverArea(positions, triangles, moves, std::vector<bool>(triangles.rows(), true));

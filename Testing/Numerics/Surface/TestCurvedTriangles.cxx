@@ -157,7 +157,7 @@ TEST(CurvedTriangles, WithoutNormalsTheyAreFlat)
     expected += m[k] * sphere.Positions.row(sphere.Triangles(4, k)).transpose();
   }
   EXPECT_LT((flat[4].position(m) - expected).norm(), 1e-16);
-  EXPECT_EQ(flat[4].rise(1), Vector3(Vector3::Zero()));
+  EXPECT_EQ(flat[4].moment(1), Vector3(Vector3::Zero()));
   // The angle between an icosahedron's faces.
   const auto jumps = conformal::measureNormalJumps(
     flat, conformal::triangleNeighbors(sphere.Triangles, sphere.Positions.rows()));
@@ -176,6 +176,43 @@ TEST(CurvedTriangles, NormalsJumpLittleOnARoundSurface)
   const auto jumps = conformal::measureNormalJumps(surface, neighbors);
   EXPECT_GT(jumps.Mean, 0.0);
   EXPECT_LT(jumps.Mean, 0.1 * conformal::measureNormalJumps(flat, neighbors).Mean);
+}
+
+TEST(CurvedTriangles, LoweringProjectsTheDisplacementOntoLinearFunctions)
+{
+  const CurvedTriangles surface = lumps(8);
+  const Points& x = surface.positions();
+  const Points lowered = conformal::lowerVertices(
+    surface, conformal::vertexTriangles(surface.triangles(), x.rows()), 1.0);
+  const Eigen::VectorXd moves = (x - lowered).cwiseProduct(surface.normals()).rowwise().sum();
+  EXPECT_GT(moves.maxCoeff(), 1e-3);
+  // Quadrature of degree 4 is exact: three permutations of each of two points.
+  const std::array<std::array<double, 2>, 2> rule{ { { 0.108103018168070, 0.223381589678011 },
+    { 0.816847572980459, 0.109951743655322 } } };
+  Eigen::VectorXd residual = Eigen::VectorXd::Zero(x.rows()), scale = residual;
+  for (Index r = 0; r < surface.triangles().rows(); ++r)
+  {
+    const auto ids = surface.triangles().row(r);
+    const Vector3 a = x.row(ids[0]), b = x.row(ids[1]), c = x.row(ids[2]);
+    const double area = 0.5 * (b - a).cross(c - a).norm();
+    for (const auto& [first, weight] : rule)
+    {
+      for (int turn = 0; turn < 3; ++turn)
+      {
+        Vector3 m = Vector3::Constant(0.5 * (1.0 - first));
+        m[turn] = first;
+        const Vector3 rise = surface[r].position(m) - (m[0] * a + m[1] * b + m[2] * c);
+        const double move = m[0] * moves[ids[0]] + m[1] * moves[ids[1]] + m[2] * moves[ids[2]];
+        for (int k = 0; k < 3; ++k)
+        {
+          const double height = rise.dot(surface.normals().row(ids[k]));
+          residual[ids[k]] += area * weight * m[k] * (height - move);
+          scale[ids[k]] += area * weight * m[k] * std::abs(height);
+        }
+      }
+    }
+  }
+  EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-3 * scale.maxCoeff());
 }
 
 TEST(CurvedTriangles, LoweredVerticesKeepTheVolume)
