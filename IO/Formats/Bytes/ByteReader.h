@@ -55,7 +55,7 @@ public:
   bool skip(std::uint64_t count);
 
   /// Stop counting lines for error messages. Call this function if the rest of the input is binary,
-  /// or if bytes are skipped whose lines are not counted.
+  /// or if bytes were skipped without counting their lines.
   void beginBinary() { this->Binary = true; }
 
   /// Return the line number of the next byte, counted from 1. After beginBinary(), return 0. A line
