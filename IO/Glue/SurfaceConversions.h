@@ -1,5 +1,5 @@
-// Convert surfaces of VTK to the data that writers of file formats read, and data of parsers to
-// surfaces of VTK. Also access the pixels of a picture of VTK.
+// Convert VTK surfaces to SurfaceData, the input of writers, and SurfaceData of parsers to VTK
+// surfaces. Also return the pixels of a VTK image.
 #ifndef GlueSurfaceConversions_h
 #define GlueSurfaceConversions_h
 
@@ -16,14 +16,14 @@ namespace glue
 /// Return a surface whose polygons are all triangles. If the input has only triangles as polygons,
 /// and no strips, the result is the input itself. Otherwise, the result is a triangulated copy
 /// without vertex cells and line cells.
-/// @pre the surface passed the checks of Glue/Checks.h
+/// @pre array sizes and point ids were checked by the functions of Glue/Checks.h
 vtkSmartPointer<vtkPolyData> OnlyTriangles(vtkPolyData* input);
 
 /// Copy the points, polygons and numeric arrays of a VTK surface. The active normals and texture
 /// coordinates are named "Normals" and "TCoords". Active scalars of 3 or 4 unsigned chars are
 /// colors, named "RGB" or "RGBA". Strips become triangles. Vertex cells and line cells are skipped.
 /// If the surface has cells that are not polygons, its cell arrays are skipped.
-/// @pre the surface passed the checks of Glue/Checks.h
+/// @pre array sizes and point ids were checked by the functions of Glue/Checks.h
 /// @throws WriteError (FileErrors.h) if the surface has no points, or a coordinate is not finite
 conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
 

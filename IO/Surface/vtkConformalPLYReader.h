@@ -3,15 +3,16 @@
  * @brief   read scans in the PLY format: every property, doubles, strips, and visible clouds
  *
  * Read points and polygons from a PLY file, as text or binary. Unlike ParaView's PLY Reader, this
- * reader keeps double precision and every property of a point. It also reads triangle strips, range
- * grids, and point clouds. Points of a cloud get vertices, so that they are visible. Malformed
- * files cause an error.
+ * reader keeps double precision and every property of a point. This reader also reads triangle
+ * strips, point clouds, and range grids (points in the cells of a scanner's grid). Each point of a
+ * cloud gets a vertex cell, so that the cloud is visible. Malformed files cause an error.
  *
  * Output port 0: vtkPolyData, the points and polygons of a PLY file: ascii, binary_little_endian or
  * binary_big_endian. The points are float if the properties x, y and z are float, otherwise double.
  * Triangle strips become triangles. Neighboring points in the grid of a range scan are connected by
  * triangles. vtkSurfaceFileReader describes what all readers of this module have in common.
- * - point array "Normals" (float or double, 3 components), active: properties nx, ny, nz.
+ * - point array "Normals" (float or double, 3 components), active: properties nx, ny, nz or
+ *   normal_x, normal_y, normal_z.
  * - point array "RGB" or "RGBA" (unsigned char, 3 or 4 components), active scalars: properties red,
  *   green, blue and alpha, also with the prefix "diffuse_".
  * - point array "TCoords" (float or double, 2 components), active: properties s, t or u, v or
@@ -19,11 +20,11 @@
  * - point arrays with the name and type of every other scalar property of a vertex (1 component).
  *   Properties NAME_0, NAME_1 and so on of equal type become one array NAME with several
  *   components.
- * - cell arrays (1 component) with the name and type of every scalar property of a face. Files with
- *   strips or a grid give no cell arrays.
+ * - cell arrays (1 component) with the name and type of every scalar property of a face. If a file
+ *   has strips or a grid, the output has no cell arrays.
  *
- * Unlike vtkPLYReader, this reader keeps all properties and double precision, and reads strips. It
- * checks every id, so that malformed files cannot crash a program.
+ * Unlike vtkPLYReader, this reader keeps all properties and double precision, and reads strips.
+ * Every point id is checked, so that malformed files cannot crash a program.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -44,9 +45,10 @@ public:
 
   ///@{
   /**
-   * Maximum length of an edge between neighboring points in the grid of a range scan. Triangles
-   * with a longer edge are left out, since they would bridge gaps of the object. At least 0.
-   * Default is 0: the maximum is 4 times the median distance between neighboring points.
+   * Maximum length of an edge between neighboring points in the grid of a range scan, in the unit
+   * of the points. Triangles with a longer edge are left out, since these triangles would bridge
+   * gaps of the object. The length is at least 0. Default is 0: the maximum is 4 times the median
+   * distance between neighboring points.
    */
   vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumEdgeLength, double);

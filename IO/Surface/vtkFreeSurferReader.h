@@ -2,19 +2,22 @@
  * @class   vtkFreeSurferReader
  * @brief   read FreeSurfer's surfaces with their sphere and their curvature
  *
- * Read a surface file of FreeSurfer, such as lh.white. Optionally, also read two more files. The
- * points of a sphere, such as lh.sphere, become the point array "SpherePosition". A file with one
- * number for each point, such as lh.curv, becomes the point array Curvature.
+ * Read a surface file of FreeSurfer, such as lh.white. Optionally, also read a sphere file and a
+ * file of values at the points. The points of a sphere, such as lh.sphere, become the point array
+ * "SpherePosition". A file with one number for each point, such as lh.curv, becomes the point array
+ * Curvature.
  *
  * Output port 0: vtkPolyData, the points (float) and the triangles or quads of a surface, such as
  * lh.white.
  * - point array "SpherePosition" (double, 3 components): the points of the file SphereFileName,
- *   such as lh.sphere, as unit vectors. That file must have the same faces as the surface.
+ *   such as lh.sphere, as unit vectors. The sphere must have the same faces as the surface.
  * - point array "Curvature" (float, 1 component): the values of the file CurvatureFileName, such as
- *   lh.curv or lh.thickness. Both the new and the old layout of such files are read.
+ *   lh.curv or lh.thickness. Files of values are read in their new layout (floats) and old layout
+ *   (16-bit integers).
  *
- * The volume geometry after the faces is ignored, so that points have the coordinates of the file.
- * vtkSurfaceFileReader describes what all readers of this module have in common.
+ * The geometry of the scanned volume, which may follow after the faces, is ignored. Points have the
+ * coordinates of the file. vtkSurfaceFileReader describes what all readers of this module have in
+ * common.
  *
  * @sa
  * vtkSurfaceFileReader

@@ -2,13 +2,14 @@
  * @class   vtkFreeSurferWriter
  * @brief   write FreeSurfer's surfaces, spheres and curvatures
  *
- * Write one of three kinds of FreeSurfer files, selected by Content: a surface, its positions on
- * the sphere with the same triangles, or one number for each point.
+ * Write one of three kinds of FreeSurfer files, selected by Content: a surface, its sphere, or one
+ * number for each point. The sphere has the triangles of the surface, and the positions of its
+ * points on a sphere.
  *
  * Input port 0: vtkPolyData of triangles. Content selects the data to write:
  * - SURFACE: the points, as floats, and the triangles.
- * - SPHERE: the triangles and, as points, 100 times the point array "SpherePosition" (3
- *   components). 100 is the radius of FreeSurfer's spheres.
+ * - SPHERE: the triangles, with points at 100 times the point array "SpherePosition" (3 components,
+ *   positions on the unit sphere). 100 is the radius of FreeSurfer's spheres.
  * - CURVATURE: the point array ArrayName (1 component), as floats.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
@@ -39,8 +40,8 @@ public:
 
   ///@{
   /**
-   * Content of the file. SURFACE (default): points and triangles. SPHERE: the triangles and, as
-   * points, 100 times the point array "SpherePosition". CURVATURE: the values of the point array
+   * Content of the file. SURFACE (default): points and triangles. SPHERE: the triangles, with
+   * points at 100 times the point array "SpherePosition". CURVATURE: the values of the point array
    * ArrayName.
    */
   vtkSetClampMacro(Content, int, SURFACE, CURVATURE);

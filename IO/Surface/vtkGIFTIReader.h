@@ -2,20 +2,22 @@
  * @class   vtkGIFTIReader
  * @brief   read GIFTI surfaces with their sphere and numbers at their points
  *
- * Read a GIFTI surface (.surf.gii). Optionally, also read two more files. The points of a sphere
- * become the point array "SpherePosition". A file with numbers for each point becomes point arrays.
+ * Read a GIFTI surface (.surf.gii). Optionally, also read a sphere file and a file of values at the
+ * points. The points of a sphere become the point array "SpherePosition". A file with numbers for
+ * each point becomes point arrays.
  *
  * Output port 0: vtkPolyData, the points (float or double, as in the file) and triangles of a
  * surface (.surf.gii). Files with the encodings ASCII, Base64Binary and GZipBase64Binary are read,
  * with both byte orders, and both row-major and column-major arrays.
  * - point array "SpherePosition" (double, 3 components): the points of the file SphereFileName, as
- *   unit vectors. That file must have the same triangles as the surface.
+ *   unit vectors. The sphere must have the same triangles as the surface.
  * - point arrays, with the types of the file: all other arrays of the surface file, and the arrays
  *   of the file ShapeFileName (.shape.gii, .func.gii, .label.gii). The name of an array is its
- *   metadata "Name". Without this metadata, the name is its intent, such as "Shape".
+ *   metadata "Name". Without this metadata, the name is the intent (meaning) of the array, such as
+ *   "Shape".
  *
- * Matrices of coordinate systems and label tables are ignored. It is an error if the file declares
- * XML entities, or refers to arrays in external files. vtkSurfaceFileReader describes what all
+ * Matrices of coordinate systems and label tables are ignored. A file that declares XML entities,
+ * or refers to arrays in external files, causes an error. vtkSurfaceFileReader describes what all
  * readers of this module have in common.
  *
  * @sa

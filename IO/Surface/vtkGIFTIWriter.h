@@ -7,16 +7,17 @@
  * only the sphere, or only the arrays.
  *
  * Input port 0: vtkPolyData. The file is compressed GIFTI. Content selects the data to write:
- * - SURFACE: points in their type, triangles, and every point array with its name (.surf.gii).
- *   Polygons with more than 3 corners are an error.
+ * - SURFACE: the points in their own type (float or double), the triangles, and every point array
+ *   with its name (.surf.gii). Polygons with more than 3 corners are an error.
  * - GEOMETRY: the points, as floats, and the triangles (.surf.gii).
- * - SPHERE: the triangles and, as float points, 100 times the point array "SpherePosition" (3
- *   components) (.sphere.surf.gii). 100 is the usual radius of spheres of cortical surfaces.
+ * - SPHERE: the triangles, with float points at 100 times the point array "SpherePosition" (3
+ *   components, positions on the unit sphere) (.sphere.surf.gii). 100 is the usual radius of
+ *   spheres of cortical surfaces.
  * - SHAPE: every point array with 1 component, with its name, as floats, without the surface
  *   (.shape.gii). Integers beyond 16,777,216 are rounded.
  *
- * Connectome Workbench reads files of GEOMETRY, SPHERE and SHAPE. Connectome Workbench does not
- * read a surface file that has arrays.
+ * Connectome Workbench, a program for brain surfaces, reads files of GEOMETRY, SPHERE and SHAPE.
+ * Connectome Workbench does not read a surface file that has arrays.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -48,7 +49,7 @@ public:
   ///@{
   /**
    * Content of the file. SURFACE (default): the surface with its arrays. GEOMETRY: points and
-   * triangles only. SPHERE: the triangles and, as points, 100 times the point array
+   * triangles only. SPHERE: the triangles, with points at 100 times the point array
    * "SpherePosition". SHAPE: only the point arrays with 1 component (.shape.gii). Connectome
    * Workbench does not read files of SURFACE.
    */
@@ -63,7 +64,8 @@ public:
   ///@{
   /**
    * Anatomical structure, such as CortexLeft or CortexRight, written as the metadata
-   * AnatomicalStructurePrimary. Connectome Workbench needs it. Default is empty: not written.
+   * AnatomicalStructurePrimary. Connectome Workbench needs this metadata. Default is empty: the
+   * metadata are not written.
    */
   vtkSetMacro(AnatomicalStructure, std::string);
   vtkGetMacro(AnatomicalStructure, std::string);

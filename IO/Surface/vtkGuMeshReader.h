@@ -2,14 +2,14 @@
  * @class   vtkGuMeshReader
  * @brief   read meshes in the .m format of MeshLib, with their sphere map
  *
- * Read a mesh in the .m format of MeshLib. A vertex or face of such a file may have named values,
- * called traits. The trait sph becomes the point array "SpherePosition". The traits normal, uv and
- * rgb become normals, texture coordinates and colors.
+ * Read a mesh in the .m format of MeshLib, a library of X. Gu. A vertex or face of such a file may
+ * have named values, called traits. The trait sph becomes the point array "SpherePosition". The
+ * traits normal, uv and rgb become normals, texture coordinates and colors.
  *
  * Output port 0: vtkPolyData, the vertices (double) and faces of the file.
- * - point array "SpherePosition" (double, 3 components): trait sph of the vertices, as unit
- *   vectors. Programs of H. Hoppe write this trait. Either all vertices must have the trait, or
- *   none.
+ * - point array "SpherePosition" (double, 3 components): trait sph of the vertices, positions on
+ *   the unit sphere. Programs of H. Hoppe write this trait. Either all vertices must have the
+ *   trait, or none.
  * - point array "Normals" (double, 3 components), active: trait normal; 0 where it is missing.
  * - point array "TCoords" (double, 2 components), active: trait uv; 0 where it is missing.
  * - point and cell array "RGB" (unsigned char, 3 components), active scalars: trait rgb of vertices

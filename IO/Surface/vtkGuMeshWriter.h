@@ -2,8 +2,9 @@
  * @class   vtkGuMeshWriter
  * @brief   write meshes in the .m format of MeshLib, with their sphere map
  *
- * Write points and polygons to a file in the .m format of MeshLib. Named values of each point
- * (traits) hold its position on the sphere, normal, texture coordinates and color.
+ * Write points and polygons to a file in the .m format of MeshLib, a library of X. Gu. Named values
+ * of each point (traits) store the position on the sphere, the normal, the texture coordinates and
+ * the color.
  *
  * Input port 0: vtkPolyData. The file has points, polygons and the active colors of the polygons.
  * Arrays of the points become traits:

@@ -2,8 +2,9 @@
  * @class   vtkPCDReader
  * @brief   read clouds in the PCD format of the Point Cloud Library
  *
- * Read a point cloud from a PCD file, text, binary or compressed, with all fields. Points with
- * non-finite coordinates, where the scanner measured nothing, are left out.
+ * Read a point cloud from a PCD file, text, binary or compressed, with all fields (named numbers of
+ * the points). Points with non-finite coordinates, where the scanner measured nothing, are left
+ * out.
  *
  * Output port 0: vtkPolyData, the points of a file, with one vertex for each point. Versions 0.5 to
  * 0.7 of the format are read: ascii, binary and binary_compressed. The points are float if the
@@ -12,7 +13,8 @@
  * - point array "Normals" (float or double, 3 components), active: fields normal_x, normal_y and
  *   normal_z.
  * - point array "RGB" or "RGBA" (unsigned char), active scalars: field rgb or rgba of four bytes.
- * - point arrays with the name, type and number of components of every other field except padding.
+ * - point arrays with the name, type and number of components of every other field except padding,
+ *   which has no data.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *

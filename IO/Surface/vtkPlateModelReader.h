@@ -2,20 +2,24 @@
  * @class   vtkPlateModelReader
  * @brief   read plate models of small bodies (.tab, .ver) of the Planetary Data System
  *
- * Read the vertices and triangular plates of a small body's shape model from a text file, with or
- * without numbered rows.
+ * Read the shape model of a small body, such as an asteroid, from a text file. The model is a mesh
+ * of triangles, called plates. The rows of the text may be numbered.
  *
- * Output port 0: vtkPolyData, the vertices (double) and triangles of a text file. The file begins
- * with the numbers of vertices and plates, and has one row for each vertex and each plate. Let X, Y
- * and Z be the coordinates of a vertex, I the number of a row, and A, B and C the numbers of a
- * plate's vertices. Rows of vertices are X Y Z or I X Y Z. Rows of plates are A B C, I A B C, or 3
- * A B C, where the 3 may be on a separate line. I begins with 0 or 1. Vertices are numbered from 1,
- * or from 0 if a plate refers to vertex 0. Coordinates are in the unit of the file, usually
- * kilometers. Label files (.lbl, .xml) are not read.
+ * Output port 0: vtkPolyData, the vertices (double) and triangles of a text file. The file contains
+ * the number of vertices, a row for each vertex, the number of plates, and a row for each plate.
+ * Both numbers may be on the first line.
+ * - Rows of vertices are X Y Z or I X Y Z, where I is the number of the row, and X, Y and Z are
+ *   coordinates.
+ * - Rows of plates are A B C, I A B C, or 3 A B C, where A, B and C are the numbers of the plate's
+ *   vertices. The 3 is the number of vertices, and may be on a separate line.
+ *
+ * The row number I begins with 0 or 1. If a plate refers to vertex 0, vertices are numbered from 0,
+ * otherwise from 1. Coordinates are in the unit of the file, usually kilometers. Label files (.lbl,
+ * .xml) are not read.
  *
  * This reader does not read two similar kinds of files. For models with lines "v X Y Z" and "f A B
  * C", use vtkOBJReader. Other .tab files, with longitude, latitude and radius, are digital
- * elevation models instead of plate models.
+ * elevation models.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *

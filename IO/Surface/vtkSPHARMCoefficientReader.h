@@ -2,18 +2,19 @@
  * @class   vtkSPHARMCoefficientReader
  * @brief   read spherical-harmonic coefficients of SPHARM-PDM (.coef)
  *
- * Read the spherical-harmonic coefficients of a surface from a file of SPHARM-PDM.
+ * Read the spherical-harmonic coefficients of a surface from a file of the program SPHARM-PDM.
  * vtkSurfaceHarmonicsSource makes the surface from the resulting table.
  *
  * Output port 0: vtkTable as from vtkSurfaceHarmonics, with one row for each harmonic: columns
  * "Degree", "Order" (int) and "X", "Y", "Z" (double). The coefficients belong to real orthonormal
  * harmonics without the Condon-Shortley phase, as required by vtkSurfaceHarmonicsSource. Let m be
  * the absolute value of the order. If m is above 0, the coefficient in the table is that of the
- * file, multiplied by (-1)^m / sqrt(2). If m is 0, both are equal.
+ * file, multiplied by (-1)^m / sqrt(2). If m is 0, the coefficient in the table is that of the
+ * file.
  *
- * Let d be a point of the sphere mesh of SPHARM-PDM. In the surfaces that SPHARM-PDM writes
- * (..._SPHARM.vtk), the corresponding point is evaluated at -d. To get this point from
- * vtkSurfaceHarmonicsSource, evaluate the harmonics at -d, too.
+ * SPHARM-PDM also writes the surface of the coefficients, to a file ..._SPHARM.vtk. In this file,
+ * the surface point that corresponds to a point d of the sphere mesh is the sum of the harmonics at
+ * -d. To get this surface point from vtkSurfaceHarmonicsSource, also evaluate the harmonics at -d.
  *
  * If a file is malformed or truncated, the error message states the number of the line. The output
  * is then empty, and an error code of vtkErrorCode is set. If the reader is aborted, the output is

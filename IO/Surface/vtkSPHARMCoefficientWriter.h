@@ -2,13 +2,13 @@
  * @class   vtkSPHARMCoefficientWriter
  * @brief   write spherical-harmonic coefficients for SPHARM-PDM (.coef)
  *
- * Write spherical-harmonic coefficients, the second output of vtkSurfaceHarmonics, to a file of
- * SPHARM-PDM.
+ * Write spherical-harmonic coefficients, the second output of vtkSurfaceHarmonics, to a file of the
+ * program SPHARM-PDM.
  *
  * Input port 0: vtkTable as from vtkSurfaceHarmonics: columns "Degree", "Order", "X", "Y" and "Z".
  * Other columns are left out. Coefficients are converted to the normalization of SPHARM-PDM, so
- * that its programs make the same surface. Numbers have 15 digits. vtkSPHARMCoefficientReader reads
- * the file.
+ * that programs of SPHARM-PDM compute the same surface. Numbers have 15 digits.
+ * vtkSPHARMCoefficientReader reads the file.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

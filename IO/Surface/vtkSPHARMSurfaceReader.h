@@ -2,8 +2,9 @@
  * @class   vtkSPHARMSurfaceReader
  * @brief   read surfaces of SPHARM-PDM (_surf) with their sphere (_para)
  *
- * Read a surface of SPHARM-PDM, such as shape_surf.vtk, and its sphere, shape_para.vtk. The points
- * of the sphere become the point array "SpherePosition".
+ * Read a surface of the program SPHARM-PDM, such as shape_surf.vtk, and its sphere, shape_para.vtk.
+ * The sphere is the same mesh, with each point at its position on the unit sphere. The points of
+ * the sphere become the point array "SpherePosition".
  *
  * Output port 0: vtkPolyData, the points (float or double) and polygons of a legacy VTK file, such
  * as shape_surf.vtk, text or binary. Arrays of the file are ignored.
@@ -32,16 +33,16 @@ public:
   ///@{
   /**
    * Name of the file whose points are the positions of the surface's points on the sphere. Default
-   * is none: if FileName is shape_surf.vtk or shape.vtk, the file shape_para.vtk is read if it
-   * exists.
+   * is none: the reader uses the file shape_para.vtk for a FileName of shape_surf.vtk or shape.vtk,
+   * if shape_para.vtk exists.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);
   ///@}
 
   /**
-   * Return whether the first bytes of a file are those of a legacy VTK file, and its sphere is in
-   * the same folder. Read other legacy VTK files with the readers of VTK, which also read arrays.
+   * Return whether a file begins as a legacy VTK file, and has a sphere file in the same folder.
+   * Read other legacy VTK files with the readers of VTK, which also read arrays.
    */
   static int CanReadFile(VTK_FILEPATH const char* name);
 

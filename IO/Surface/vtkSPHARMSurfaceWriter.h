@@ -2,8 +2,9 @@
  * @class   vtkSPHARMSurfaceWriter
  * @brief   write surfaces for SPHARM-PDM (_surf) with their sphere (_para)
  *
- * Write two files for SPHARM-PDM: a surface of triangles, such as shape_surf.vtk, and its sphere,
- * shape_para.vtk in the same folder. The points of the sphere are the point array "SpherePosition".
+ * Write two files for the program SPHARM-PDM: a surface of triangles, such as shape_surf.vtk, and
+ * its sphere, shape_para.vtk in the same folder. The points of the sphere are the point array
+ * "SpherePosition", the positions of the points on the unit sphere.
  *
  * Input port 0: vtkPolyData, triangles with the point array "SpherePosition" (3 components).
  *
@@ -13,8 +14,8 @@
  * the extension. If there is no _surf, _para is inserted before the extension. Numbers are written
  * with enough digits to be read back exactly. Other arrays are left out.
  *
- * An existing file of the sphere is replaced, even if another program made the file. If the sphere
- * existed but the surface did not, there is a warning.
+ * An existing file of the sphere is replaced, even if another program made the file. If the file of
+ * the sphere existed before but the file of the surface did not, there is a warning.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

@@ -3,9 +3,9 @@
  * @brief   read several aligned range scans as one point cloud
  *
  * Read all range scans that a .conf file of the Stanford scanning repository lists, as one point
- * cloud. The .conf file specifies a transform for each scan, which is a PLY file. The reader
- * applies this transform, so that the scans are aligned. The point array ScanId holds the number of
- * each point's scan.
+ * cloud. Each scan is a PLY file, for which the .conf file specifies a transform. The reader
+ * applies these transforms, so that the scans are aligned. The point array ScanId contains the
+ * number of each point's scan.
  *
  * Output port 0: vtkPolyData, the points (double) of all scans that the .conf file lists. Each scan
  * is transformed as specified in the .conf file. There is one vertex for each point.
@@ -38,9 +38,9 @@ public:
 
   ///@{
   /**
-   * Whether to invert the rotations that are applied by default. Default is off: as in the files of
-   * the repository, a point is rotated by the inverse of the rotation that a quaternion usually
-   * represents. If the scans do not overlap, change this property.
+   * Whether each point is rotated by the quaternion of its scan. Default is off: each point is
+   * rotated by the inverse of this rotation, as the files of the repository require. If the scans
+   * do not overlap, change this property.
    */
   vtkSetMacro(InvertRotation, bool);
   vtkGetMacro(InvertRotation, bool);

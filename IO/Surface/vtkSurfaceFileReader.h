@@ -2,35 +2,36 @@
  * @class   vtkSurfaceFileReader
  * @brief   base class of all readers of scans and meshes of this module
  *
- * Read the points and polygons of a file with the properties, errors and warnings that all readers
- * of this module have in common.
+ * Read the points and polygons of a file. This class defines the properties, errors and warnings
+ * that all readers of this module have in common.
  *
  * Output port 0: vtkPolyData, the points and polygons of a file. A file without polygons is a point
  * cloud. Each point of a cloud gets a vertex cell, so that the cloud is visible.
- * - point arrays "Normals" (3 components), "TCoords" (2), "RGB" or "RGBA" (unsigned char): only if
- *   the file has these data; active. The documentation of each reader describes the types and all
- *   other arrays.
+ * - point arrays "Normals" (3 components), "TCoords" (2), "RGB" or "RGBA" (unsigned char): present
+ *   only if the file has these data. These arrays are active. The documentation of each reader
+ *   describes the types and all other arrays.
  * - field arrays "NumberOfDroppedPoints", "NumberOfDroppedPolygons", "NumberOfReplacedValues",
  *   "NumberOfSkippedLines", "NumberOfUnreadBytes", "NumberOfMissingScans" (vtkIdType, 1 component):
- *   each array is present only if its number is not 0, and then there is a warning. If a coordinate
- *   of a point of a cloud is not finite, the point is dropped. If a polygon has fewer than 3 ids or
- *   a repeated id, the polygon is dropped. Other values that are not finite are replaced by 0.
+ *   numbers of data that were left out or replaced. Each array is present only if its number is not
+ *   0. A warning then also states the number. If a coordinate of a point of a cloud is not finite,
+ *   the point is dropped. If a polygon has fewer than 3 ids or a repeated id, the polygon is
+ *   dropped. Other values that are not finite are replaced by 0.
  *
  * Malformed files, truncated files, and meshes with non-finite points or invalid ids cause an
  * error. The message of the error states the line or byte. The output is then empty, and an error
  * code of vtkErrorCode is set. Numbers are read in the same way in every locale. If a reader is
  * aborted, the output is empty, and there is no error.
  *
- * A run uses the values that the properties have at the beginning of the run. Observers of the
- * progress may change properties, including file names, for the next run.
+ * While the reader is executed, it uses the values that the properties have at the beginning.
+ * Observers of the progress may change properties, including file names, for the next execution.
  *
  * This class is abstract. Only readers of this module can be derived from it, since headers of the
  * functions to implement are not installed. Use one of the derived readers.
  *
- * A pipeline may request a piece of the data. If the file can be divided, as some files of point
- * clouds can, the reader then reads only that part of the file. The pieces in sequence are the
- * whole file. If a file cannot be divided, the first piece is the whole file, and the other pieces
- * are empty.
+ * A pipeline may request one of several pieces of the data. If the file can be divided, the reader
+ * then reads only this piece of the file. Some files of point clouds can be divided. All pieces in
+ * sequence are the whole file. If a file cannot be divided, the first piece is the whole file, and
+ * the other pieces are empty.
  */
 
 #ifndef vtkSurfaceFileReader_h
@@ -72,19 +73,20 @@ public:
   virtual const char* GetDescriptiveName() = 0;
 
   /**
-   * Return the names of all files that the reader would open, whether they exist or not. These are
-   * FileName, files named by other properties, files to which FileName refers, and files that
-   * belong to FileName by their names. A program that writes files can thus avoid replacing an
-   * input. No data are read. Every call fills the array again. If FileName is not set, the array is
-   * empty.
+   * Return the names of all files that the reader would open, whether they exist or not. The array
+   * contains FileName, files that are set by other properties, files that FileName lists, and files
+   * whose names are made from FileName. A program that writes files can thus avoid replacing an
+   * input. Points are not read. Every call fills the array again. If FileName is not set, the array
+   * is empty.
    */
   vtkStringArray* GetReadFileNames();
 
   ///@{
   /**
-   * Controller of the processes that read a file together, each of which requests the piece with
-   * the number of the process. An error on one process is then reported on all processes. Otherwise
-   * the other processes could wait forever in a later filter. Default is the global controller.
+   * Controller of the processes that read a file together. Each process requests the piece with the
+   * number of the process. An error on one process is then reported on all processes. Without this
+   * report, the other processes could wait forever in a later filter. Default is the global
+   * controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -99,18 +101,18 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  // Return whether Parse reads only the given piece of a file. If not, Parse is called for the
-  // first piece only, and reads the whole file.
+  // Return whether Parse can read one piece of a file. If not, Parse is called only for the first
+  // piece, and reads the whole file.
   virtual bool CutsFiles() const { return false; }
 
   // Read the opened file. Throws std::invalid_argument if the value of a property is invalid. An
-  // observer of the progress may set properties, also names. Parse therefore copies those
-  // properties that it uses after it reports progress.
+  // observer of the progress may set properties, including file names. Parse therefore copies every
+  // property that is used after a progress report.
   virtual conformal::SurfaceResult Parse(
     conformal::ByteReader& input, const conformal::FilePiece& piece, const conformal::Run& run) = 0;
 
-  // Return the names of further files to read besides FileName, which is set. Empty names are
-  // ignored by the caller.
+  // Return the names of further files to read. This function is called only if FileName is set.
+  // Empty names are ignored by the caller.
   virtual std::vector<std::string> FilesReadToo() { return {}; }
 
   // Return whether a file can be opened, and looksRight returns true for its first bytes.

@@ -6,7 +6,7 @@
  * or none.
  *
  * Input port 0: vtkPolyData (for vtkSPHARMCoefficientWriter: vtkTable), points, with or without
- * polygons. Strips are triangulated. Vertices and lines are left out. Active normals, texture
+ * polygons. Strips are triangulated. Vertex and line cells are left out. Active normals, texture
  * coordinates and colors (unsigned char) are written as the normals, texture coordinates and colors
  * of the format. Other arrays are written with their names. The documentation of each writer
  * describes which arrays its format can store. It is an error if the number of tuples of an array
@@ -19,13 +19,13 @@
  * returns 0. If a writer is aborted, no file is written, and no error is reported. Write() then
  * returns 0, and the error code is AbortedError. Written text is the same in every locale.
  *
- * Some writers write further files in the folder of FileName. Their names are made from FileName,
- * with other endings; the documentation of each writer lists them. Existing files with these names
- * are replaced, even if another program made them. If FileName did not exist, a warning lists all
- * further files that existed.
+ * Some writers write further files in the folder of FileName. The names of these files are made
+ * from FileName, with other endings, and are listed in the documentation of each writer. Existing
+ * files with these names are replaced, even if another program made these files. If the file
+ * FileName did not exist before, a warning lists the further files that were replaced.
  *
- * A run uses the values that the properties and inputs have at the beginning of Write(). Observers
- * of the progress may change them for the next run.
+ * Write() uses the values that the properties and inputs have at its beginning. Observers of the
+ * progress may change properties and inputs for the next call of Write().
  *
  * Only regular files are replaced. If the name is that of a directory, pipe, socket, device or
  * write-protected file, nothing is written (error code CannotOpenFileError). If the name has a
@@ -34,10 +34,10 @@
  *
  * If FileName is a symbolic link, the link is kept, and the file to which it points is replaced or
  * made. The new file gets the permissions of the replaced file, except setuid, setgid and sticky
- * bits. It also gets the owner and the group of the replaced file as far as the system allows.
- * Other hard links to the replaced file keep the old content. During writing, the new file has a
- * temporary name in the same folder: ".conformalsom-" followed by 16 digits. It already has the
- * permissions of the file that it replaces.
+ * bits. The new file also gets the owner and the group of the replaced file as far as the system
+ * allows. Other hard links to the replaced file keep the old content. During writing, the new file
+ * has a temporary name in the same folder: ".conformalsom-" followed by 16 hexadecimal digits. The
+ * new file then already has its final permissions.
  */
 
 #ifndef vtkSurfaceFileWriter_h
@@ -82,8 +82,8 @@ public:
   ///@}
 
   /**
-   * Write the file or files. Returns 1 on success. Otherwise it returns 0, and GetErrorCode()
-   * returns the cause.
+   * Write the file or files. Returns 1 on success. Returns 0 after an error or an abort;
+   * GetErrorCode() then returns the cause.
    */
   int Write() override;
 
@@ -98,8 +98,8 @@ protected:
   virtual void WriteFiles(const conformal::Run& run) = 0;
 
   // Write all given files completely, or none. The last file is FileName. Names of the other files
-  // are made from FileName. If FileName did not exist, a warning lists the other files that existed
-  // and are replaced. All writers must write files by this function only.
+  // are made from FileName. If the file FileName did not exist before, a warning lists the other
+  // files that were replaced. All writers must write files by this function only.
   void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files);
 
   // Convert the input by a function, and write the resulting text to FileName. The function throws

@@ -3,16 +3,17 @@
  * @brief   write a web page that shows a surface and its sphere in any browser
  *
  * Write a web page that shows a surface and its map to the sphere. The page is one file that needs
- * no network. Surface and sphere rotate side by side, colored by a picture or any point array. A
- * point that is picked on the surface is also marked on the sphere, and vice versa.
+ * no network. The page shows surface and sphere side by side, colored by a picture or any point
+ * array. The user can rotate surface and sphere. A point that is picked on the surface is also
+ * marked on the sphere, and vice versa.
  *
- * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertices and lines
- * are left out.
+ * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertex and line
+ * cells are left out.
  * - point array "SpherePosition" (float or double, 3 components): position of the point on the
  *   sphere.
  * - active texture coordinates of the points (float or double, 2 components): required if there is
- *   a picture. The surface must be cut along the seams of the picture, by SplitSeam of
- *   vtkSphericalTextureMap.
+ *   a picture. The surface must be cut along the seams of the picture, as by the property SplitSeam
+ *   of vtkSphericalTextureMap.
  * - all other numeric point arrays: shown as colors with a legend. An array of 3 or 4 unsigned
  *   chars is shown directly as RGB or RGBA colors. For other arrays with several components, the
  *   magnitude of each tuple is shown. "Normals" and "vtkGhostType" are left out. Values that are
@@ -22,10 +23,11 @@
  * (RGBA) components.
  *
  * The page is one file that needs no network and sends no data. Any browser of 2023 or later can
- * open the page, also on phones. Surface and sphere rotate side by side, and a slider morphs the
- * surface into the sphere. A point that is picked on the surface is also marked on the sphere, and
- * vice versa. The page then shows the position of the point, its values, and its longitude and
- * latitude as in vtkBodyMap. The title of the page is the name of the file without the extension.
+ * open the page, also on phones. Mouse, touch or keyboard rotate surface and sphere, together or
+ * separately. A slider morphs the surface into the sphere. A point that is picked on the surface is
+ * also marked on the sphere, and vice versa. For a picked point, the page shows the position, the
+ * values, and the longitude and latitude as in vtkBodyMap. The title of the page is the name of the
+ * file without the extension.
  *
  * The page uses the library three.js for graphics. The writer copies this library into the page
  * from a file on this computer, on Debian from the package libjs-three. If the file is missing,
@@ -34,8 +36,8 @@
  * Data in the page are rounded. Positions have 16 bits per coordinate, within the bounds of the
  * surface. Positions on the sphere have an error of at most 0.006 degrees. Values have an error of
  * at most 1/65534 of the range of their array. Integers are exact if the range of their array is at
- * most 4 * 10^9. A page of 64,002 points, with a picture as JPEG and few arrays, has at most 3 MB.
- * Each array adds up to 0.2 MB.
+ * most 4 * 10^9. A page of 64,002 points, with a picture and few arrays, has at most 3 MB. Each
+ * further array adds up to 0.2 MB.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -72,8 +74,8 @@ public:
   ///@{
   /**
    * Name of the point array that the page shows first. A menu offers the other arrays. If the name
-   * is empty (default), the page first shows the picture. Without a picture, it shows the active
-   * colors; without colors, it shows the first array that is not constant.
+   * is empty (default), the page first shows the picture. Without a picture, the page shows the
+   * active colors. Without colors, the page shows the first array that is not constant.
    */
   vtkSetMacro(ColorArrayName, std::string);
   vtkGetMacro(ColorArrayName, std::string);
@@ -82,8 +84,8 @@ public:
   ///@{
   /**
    * Direction from the model to the viewer when the page is opened, in the coordinates of the
-   * model. The vector may have any length but 0. The middle of the sphere shows the first point of
-   * the surface along the line of sight. Default is (0, 0, 1).
+   * model. The vector may have any length but 0. In the middle of the sphere is the visible surface
+   * point on the line of sight through the surface's centroid. Default is (0, 0, 1).
    */
   vtkSetVector3Macro(ViewDirection, double);
   vtkGetVector3Macro(ViewDirection, double);
@@ -111,7 +113,7 @@ public:
   ///@{
   /**
    * Maximum number of pixels along the longer side of the picture in the page. Larger pictures are
-   * scaled down. In [1, 8192]. Default is 2048, a size that every phone supports.
+   * scaled down. The number is in [1, 8192]. Default is 2048, a size that every phone supports.
    */
   vtkSetClampMacro(MaximumTextureSize, int, 1, 8192);
   vtkGetMacro(MaximumTextureSize, int);
@@ -119,8 +121,8 @@ public:
 
   ///@{
   /**
-   * JPEG quality of the picture. With 1, the page is smallest; with 100, the quality is best. In
-   * [1, 100]. Default is 85.
+   * JPEG quality of the picture. With 1, the page is smallest; with 100, the quality is best. The
+   * number is in [1, 100]. Default is 85.
    */
   vtkSetClampMacro(TextureQuality, int, 1, 100);
   vtkGetMacro(TextureQuality, int);

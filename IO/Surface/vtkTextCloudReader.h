@@ -8,20 +8,23 @@
  *
  * Output port 0: vtkPolyData, one point (double) and one vertex for each line. Numbers are
  * separated by blanks, tabs, commas or semicolons. Blank lines and lines that begin with #, // or ;
- * are skipped. If the first line is a single number, it is the number of points that follow, as in
- * PTS files. A file may have several such blocks.
+ * are skipped. If the first line of numbers contains only one number, this is the number of points
+ * that follow, as in PTS files. Such a file may have several blocks of points, each after its
+ * number of points.
  *
  * A line of column names before the numbers defines the meaning of the columns. This line may be a
  * comment. Without column names, the number of columns and the values in the first hundred lines
  * determine the meaning.
  * - point array "Normals" (double, 3 components), active: columns nx, ny, nz or normal_x, normal_y,
  *   normal_z. Without names, these are the last three of six columns, if all of these vectors have
- *   unit length.
+ *   length 1 (within 0.01) or 0.
  * - point array "RGB" (unsigned char, 3 components), active scalars: columns r, g, b or red, green,
  *   blue, if all values are integers in [0, 255]. Without names, these are the last three of six
- *   columns; in nine columns, normals and colors are recognized together.
+ *   columns, if these columns are not normals. In nine columns, the last six are normals and
+ *   colors, in either order.
  * - point array "Intensity" (double, 1 component): column i or intensity. Without names, this is
- *   the fourth of four columns; in seven columns, intensity and colors are recognized together.
+ *   the fourth of four columns. In seven columns, the last four are intensity and colors, in either
+ *   order.
  * - one point array (double, 1 component) for every other column, with the name of the column.
  *   Without names, the arrays are "Column4" and so on.
  *
@@ -47,7 +50,8 @@ public:
   ///@{
   /**
    * Whether the decimal separator is a comma, as in 0,5. Commas then do not separate numbers.
-   * Default is off: if a file has such numbers between blanks or semicolons, there is an error.
+   * Default is off: decimal commas in a file with blanks or semicolons between numbers cause an
+   * error.
    */
   vtkSetMacro(DecimalComma, bool);
   vtkGetMacro(DecimalComma, bool);

@@ -5,8 +5,8 @@
  * Write a surface with its active texture coordinates and its picture, the texture. A .glb file
  * contains the picture. For .obj and .ply, the picture is a PNG file in the same folder.
  *
- * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertices and lines
- * are left out.
+ * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertex and line
+ * cells are left out.
  * - active texture coordinates of the points (any type, 2 components): u to the right and v upward.
  *   At the borders of the picture, coordinates are 0 and 1. RepeatTexture defines the color beyond
  *   the borders.
@@ -16,17 +16,19 @@
  * components.
  *
  * The extension of FileName, in lower or upper case, selects the format:
- * - ".glb": binary glTF 2.0, one file with the texture inside. Coordinates are floats. If the
- *   surface is far from the origin, rounding to floats could shift a point by more than 1e-5 of the
- *   surface's size. Coordinates are then relative to the middle of the surface, and the node of the
- *   surface has a translation to this middle. The node has the name of the file.
- * - ".obj": Wavefront OBJ with doubles. Two further files with the same name are written: a
- *   material (".mtl") and the texture (".png").
+ * - ".glb": binary glTF 2.0, one file with the texture inside. Coordinates are floats. Far from the
+ *   origin, rounding to floats may shift a point by more than 1e-5 of the surface's size. In this
+ *   case, coordinates are relative to the middle of the surface. The node (scene object) of the
+ *   surface then has a translation to this middle. The node has the name of the file.
+ * - ".obj": Wavefront OBJ with doubles. Two further files with this name and other extensions are
+ *   written: a material (".mtl") and the texture (".png").
  * - ".ply": binary PLY with doubles, and with the texture coordinates "texture_u" and "texture_v"
- *   of the vertices. One further file with the same name is written: the texture (".png").
+ *   of the vertices. One further file with this name and another extension is written: the texture
+ *   (".png").
  *
- * If a material or texture of this name exists, it is replaced, even if another program made the
- * file. If it existed but FileName did not, there is a warning.
+ * Existing material and texture files with these names are replaced, even if another program made
+ * these files. If such a file is replaced, but the file FileName did not exist before, there is a
+ * warning.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -71,9 +73,9 @@ public:
 
   ///@{
   /**
-   * Length of one unit of the coordinates in meters, such as 0.001 for a scan in millimeters. Used
-   * only for glTF, whose unit is the meter, so that programs show the surface in its true size. The
-   * value is finite and above 0. Default is 1.
+   * Length of one unit of the coordinates in meters, such as 0.001 for a scan in millimeters. This
+   * value is used only for glTF, whose unit is the meter. Programs then show the surface in its
+   * true size. The value is finite and above 0. Default is 1.
    */
   vtkSetMacro(MetersPerUnit, double);
   vtkGetMacro(MetersPerUnit, double);

@@ -21,7 +21,7 @@ inline bool isLittleEndianMachine()
   return first == 1;
 }
 
-/// Append the bytes of a value, converted from the byte order of this machine.
+/// Append the `size` bytes of a number, which is in the byte order of this machine.
 /// @param[in] isBig  whether the appended bytes are big-endian; otherwise they are little-endian
 inline void appendBytes(std::string& bytes, const void* value, std::size_t size, bool isBig)
 {

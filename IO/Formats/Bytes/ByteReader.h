@@ -15,7 +15,7 @@ namespace conformal
 {
 /// Reader of an input through a window, the piece of the input that is in memory. A small window
 /// stays in the cache of the processor during parsing. If another process truncates the file during
-/// reading, the reader does not crash. The truncated file is treated as a short file.
+/// reading, the reader does not crash. The input then ends at the new end of the file.
 class ByteReader
 {
 public:
@@ -49,17 +49,18 @@ public:
   /// Advance by a number of bytes that peek() has returned.
   void advance(std::size_t count) { this->Begin += count; }
 
-  /// Advance by any number of bytes. In binary data, the reader calls Seek if possible.
+  /// Advance by any number of bytes. After beginBinary(), the reader calls the function Seek, if
+  /// there is one. Otherwise, the bytes are read and discarded.
   /// @return false if the input ends before these bytes
   bool skip(std::uint64_t count);
 
   /// Stop counting lines for error messages. Call this function if the rest of the input is binary,
-  /// or if the caller counts lines.
+  /// or if bytes were skipped without counting their lines.
   void beginBinary() { this->Binary = true; }
 
-  /// Return the line number of the next byte, counted from 1. In binary data, return 0. LF, CR and
-  /// CRLF end lines. The function counts lines in the whole window. Call this function for errors
-  /// only.
+  /// Return the line number of the next byte, counted from 1. After beginBinary(), return 0. A line
+  /// ends with LF, CR or CRLF. Call this function for errors only, since it searches the window for
+  /// line ends.
   std::uint64_t line() const;
 
   [[noreturn]] void fail(ParseCode code, const std::string& message) const;

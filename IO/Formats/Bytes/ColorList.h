@@ -1,4 +1,5 @@
-/// Convert colors of a file to bytes. In the file, colors are bytes or fractions.
+/// Convert colors of a file to bytes. In the file, the numbers of a color are byte values in [0,
+/// 255] or fractions in [0, 1].
 
 #ifndef ConformalColorList_h
 #define ConformalColorList_h
@@ -11,8 +12,9 @@
 
 namespace conformal
 {
-/// List of colors of 3 or 4 numbers. Files do not state the range of the numbers. If no number
-/// exceeds 1, all numbers are fractions in [0, 1]. Otherwise, they are bytes in [0, 255].
+/// List of colors of 3 or 4 numbers: red, green, blue, and optionally opacity. Files do not state
+/// the range of the numbers. If no number in the list exceeds 1, all numbers are fractions.
+/// Otherwise, all numbers are byte values.
 class ColorList
 {
 public:

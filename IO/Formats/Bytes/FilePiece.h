@@ -8,8 +8,8 @@
 
 namespace conformal
 {
-/// One of Count equal parts of a file. The default is the whole file. Data that cannot be divided
-/// belong to the first part.
+/// One of Count equal parts of a file. The default is the whole file. If the points of a file
+/// cannot be divided, all points belong to the first part.
 struct FilePiece
 {
   std::uint64_t Number = 0; ///< index of the part, in [0, Count)
@@ -19,8 +19,8 @@ struct FilePiece
   bool isLast() const { return this->Number + 1 == this->Count; }
   bool isWhole() const { return this->Count == 1; }
 
-  /// Return the index of the first item of this part, if the file has `size` items. The function
-  /// end() returns the index of the first item of the next part.
+  /// Return the index of the first item (point or byte) of this part of a file of `size` items. The
+  /// function end() returns the index of the first item of the next part.
   std::uint64_t begin(std::uint64_t size) const { return this->cut(size, this->Number); }
   std::uint64_t end(std::uint64_t size) const { return this->cut(size, this->Number + 1); }
 

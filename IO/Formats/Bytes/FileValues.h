@@ -1,4 +1,4 @@
-/// Read the numbers after the header of a file, as bytes or as text.
+/// Read the numbers after the header of a file, which are stored as bytes or as text.
 
 #ifndef ConformalFileValues_h
 #define ConformalFileValues_h
@@ -57,7 +57,8 @@ public:
 
   void endRecord() {}
 
-  /// Return the minimum size of a number in the file, with its separator if there is one [bytes].
+  /// Return the minimum size of a number and its separator in the file [bytes]. Binary numbers have
+  /// no separator.
   static std::size_t minimumBytes(ScalarType type) { return sizeOf(type); }
 
 private:
@@ -65,9 +66,9 @@ private:
   bool Swap;
 };
 
-/// Read numbers that are stored as text, separated by blanks or line ends. Each record must end at
-/// the end of a line. If `hasRemarks` is true, the text may have comments, from "#" to the end of
-/// the line.
+/// Read numbers that are stored as text, separated by blanks or line ends. A record, the numbers of
+/// one point or polygon, must end at the end of a line. If `hasRemarks` is true, the text may have
+/// comments, from "#" to the end of the line.
 class TextValues
 {
 public:
@@ -121,7 +122,7 @@ public:
     this->NumbersOfRecord = 0;
   }
 
-  /// Test whether the rest of the current line has only blanks and a comment.
+  /// Test whether the rest of the current line is empty, apart from blanks and a comment.
   bool isLineEnd()
   {
     this->skipWhile([](char c) { return c == ' ' || c == '\t'; });

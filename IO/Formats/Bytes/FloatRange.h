@@ -14,10 +14,14 @@
 
 namespace conformal
 {
-/// Reject coordinates that floats cannot represent. The coordinates are rejected if one of them
-/// exceeds the range of floats. The coordinates are also rejected if floats would round all of them
-/// to a few digits or to 0. If other coordinates are large, a small coordinate is accepted,
-/// although floats may round it to 0.
+/// Reject coordinates that floats cannot represent. The coordinates are rejected in two cases:
+/// - A coordinate is not finite, or its magnitude is above 3.4e38, the maximum of floats.
+/// - The largest magnitude is above 0 but below 1.2e-38. Floats of this size have few digits, or
+///   are 0.
+///
+/// A small coordinate is accepted if another coordinate is at least 1.2e-38. Floats may then round
+/// the small coordinate to 0.
+///
 /// @param[in] count       number of coordinates
 /// @param[in] coordinate  function that returns the coordinate of an index below `count`
 /// @throws std::invalid_argument if the coordinates are rejected
@@ -56,19 +60,19 @@ struct FloatRounding
       this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
   }
 
-  /// Test whether rounding changes a coordinate by more than ToleratedShift times size().
-  /// Otherwise, two points remain distinct if their distance exceeds twice this limit. If all
-  /// points coincide, the result is false.
+  /// Test whether rounding changes a coordinate by more than the limit, ToleratedShift times
+  /// size(). If not, two points remain distinct if one of their coordinates differs by more than
+  /// twice the limit. If all points coincide, the result is false.
   bool isTooCoarse() const
   {
     return this->size() > 0.0 && this->MaximumShift > ToleratedShift * this->size();
   }
 
   /// Maximum tolerated change of a coordinate, relative to the size of the surface. Own
-  /// construction: the limit is relative, because rounding changes coordinates more if the surface
-  /// is far from the origin. If the surface is around the origin, rounding changes coordinates by
-  /// at most 3e-8 of the size. At a distance of about 200 times the size, the change reaches this
-  /// limit.
+  /// construction: the limit detects surfaces far from the origin, since rounding changes large
+  /// coordinates more. If the center of the surface is the origin, rounding changes coordinates by
+  /// at most 3e-8 of the size. If the distance from the origin is about 200 times the size, the
+  /// change reaches the limit.
   static constexpr double ToleratedShift = 1e-5;
 };
 
@@ -94,8 +98,8 @@ FloatRounding floatRoundingOf(std::size_t count, Coordinate coordinate)
 }
 
 /// Reject a surface if rounding to floats would change its coordinates too much.
-/// @throws std::invalid_argument if isTooCoarse(). The message contains the change of coordinates,
-///   the size of the surface, and a remedy
+/// @throws std::invalid_argument if rounding.isTooCoarse(). The message contains the change of
+///   coordinates, the size of the surface, and a remedy
 inline void requireFinePositions(const FloatRounding& rounding)
 {
   if (!rounding.isTooCoarse())

@@ -15,8 +15,9 @@
 namespace conformal
 {
 /// Reader of lines that end with LF, CR or CRLF. The last line may have no line end. The maximum
-/// length of a line is LongestLine (ParseLimits.h). The current line is consumed only when the next
-/// line is read. Error messages thus refer to the current line.
+/// length of a line is LongestLine (ParseLimits.h). The input stays at the start of the current
+/// line until the next line is read. An error message therefore states the number of the current
+/// line.
 class LineReader
 {
 public:
@@ -62,8 +63,8 @@ public:
   /// Test whether the current line has only blanks.
   bool isBlankLine() const { return this->Text.find_first_not_of(" \t\v\f") == Text.npos; }
 
-  /// Consume the current line. Afterwards, the next byte of the input is the first byte after the
-  /// line end.
+  /// Advance the input past the current line. Afterwards, the next byte of the input is the first
+  /// byte after the line end.
   void finish()
   {
     this->Input.advance(this->Passed);
@@ -86,7 +87,7 @@ private:
   {
     const char Letter;
     std::uint64_t Offset = 0; ///< offset in the input
-    bool IsFound = false;     ///< false if the character does not occur before Offset
+    bool IsFound = false;     ///< true: found at Offset; false: not before Offset
 
     // Return the position of the character in a window of the input that begins at the offset
     // `begin`. If the window does not contain the character, return the size of the window.
@@ -145,7 +146,7 @@ private:
   std::string_view Rest;
 };
 
-/// Test whether a line is blank or a comment, by its first word.
+/// Test by the first word of a line whether the line is blank or a comment, which begins with "#".
 inline bool isIgnored(std::string_view firstWord)
 {
   return firstWord.empty() || isRemark(firstWord);

@@ -13,8 +13,8 @@
 
 namespace conformal
 {
-/// Array of numbers with a name. All numbers have the same type. The array is divided into tuples
-/// of Components numbers.
+/// Array of numbers with a name. All numbers have the same type. Each tuple of the array has
+/// `Components` numbers.
 struct NamedArray
 {
   std::string Name;
@@ -30,7 +30,7 @@ struct NamedArray
 NamedArray makeArray(const std::string& name, ScalarType type, std::size_t components);
 
 /// Append a tuple to an array.
-/// @param[in] tuple  Components numbers of the type of the array
+/// @param[in] tuple  numbers of the tuple, as many as Components, of the type of the array
 inline void append(NamedArray& array, const void* tuple)
 {
   const std::size_t bytes = array.tupleBytes();

@@ -1,4 +1,4 @@
-/// Convert numbers to text and back, equally in every locale.
+/// Convert numbers to text and back, independently of the locale.
 
 #ifndef ConformalNumberText_h
 #define ConformalNumberText_h
@@ -25,9 +25,10 @@ inline bool isRemark(std::string_view text)
   return !text.empty() && text[0] == '#';
 }
 
-/// Test whether a number is too small for the type T. The number must be outside of the range of T,
-/// thus either too small or too large. readNumber() reads a number that is too small as zero, and
-/// rejects a number that is too large.
+/// Test whether the magnitude of a number is below the range of the type T. If not, the magnitude
+/// is above the range. readNumber() reads a number below the range as 0, and rejects a number above
+/// the range.
+/// @pre the text is a number outside of the range of T
 template <typename T>
 bool isUnderflow(std::string_view text)
 {
@@ -36,10 +37,11 @@ bool isUnderflow(std::string_view text)
       text.substr(text.find_first_not_of("+-0"), 1) == ".");
 }
 
-/// Read a decimal number without exponent, rounded only once. The number is the integer of all
-/// digits, divided by a power of ten. If T represents both numbers exactly, the quotient is the
-/// nearest T (W. D. Clinger, How to read floating point numbers accurately, 1990). This condition
-/// holds for nearly all numbers of a scan. std::from_chars is three times slower.
+/// Read a decimal number without exponent, rounded only once. The result is an integer, made of all
+/// digits, divided by a power of ten. If T represents the integer and the power exactly, the
+/// quotient is the nearest T (W. D. Clinger, How to read floating point numbers accurately, 1990).
+/// This condition holds for nearly all numbers of a scan. std::from_chars, which reads all other
+/// numbers, is three times slower.
 /// @return the end of the number. Null if the text is not a number, has too many digits, or has an
 ///   exponent
 template <typename T>

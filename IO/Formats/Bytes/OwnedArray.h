@@ -1,4 +1,5 @@
-/// Store an array in memory from malloc, so that another owner can adopt the memory without a copy.
+/// Store an array in memory from malloc, so that another owner, such as a VTK array, can adopt the
+/// memory without a copy.
 
 #ifndef ConformalOwnedArray_h
 #define ConformalOwnedArray_h
@@ -25,7 +26,7 @@ public:
   T& operator[](std::size_t i) { return this->Values.get()[i]; }
   const T& operator[](std::size_t i) const { return this->Values.get()[i]; }
 
-  /// Reserve memory for a total of `capacity` values. Values added by resize() are not initialized.
+  /// Reserve memory for a total of `capacity` values.
   void reserve(std::size_t capacity)
   {
     if (capacity > this->Capacity)
@@ -34,6 +35,7 @@ public:
     }
   }
 
+  /// Change the number of values. Added values are not initialized.
   void resize(std::size_t size)
   {
     this->reserve(size);

@@ -26,23 +26,26 @@ inline std::string tooLongMessage(const char* what)
 
 struct ParseLimits
 {
-  /// Maximum memory for the records of one count in a file [bytes].
+  /// Maximum memory for all records of one kind, such as all points of a file [bytes].
   std::uint64_t MaximumMemory = std::numeric_limits<std::ptrdiff_t>::max();
 
-  /// Check a count of records that a file states, before memory is allocated for the records. The
-  /// rest of the input must contain at least minimumRecordBytes for each record. The memory for all
-  /// records must not exceed MaximumMemory.
+  /// Check the number of records, such as points, that a file states. Call this function before
+  /// memory is allocated for the records. The rest of the input must contain at least
+  /// minimumRecordBytes for each record. The memory for all records must not exceed MaximumMemory.
   ///
-  /// If the rest of the input is too short, the error is usually PrematureEnd, as for a truncated
-  /// file. The error is Malformed if the records would need more than 1 GiB and more than 1000
-  /// times the rest of the input. If the memory would exceed MaximumMemory, the error is
-  /// OutOfMemory.
+  /// The error has one of these codes:
+  /// - Malformed: in the file, the records would need more than 1 GiB, and more than 1000 times the
+  ///   rest of the input.
+  /// - PrematureEnd: the rest of the input is too short in any other case, as in truncated files.
+  /// - OutOfMemory: the memory would exceed MaximumMemory.
+  ///
   /// @param[in] what                name of the records, for the error message
   /// @param[in] count               number of records
   /// @param[in] minimumRecordBytes  minimum size of a record in the file [bytes]; 0 if unknown
   /// @param[in] memoryPerRecord     memory for each record [bytes]; 0 if none is allocated
   /// @return the count
-  /// @throws ParseError
+  /// @throws ParseError if the rest of the input is too short, or the memory would exceed
+  ///   MaximumMemory
   std::size_t checkedCount(const ByteReader& input, const std::string& what, std::uint64_t count,
     std::uint64_t minimumRecordBytes, std::uint64_t memoryPerRecord) const;
 };

@@ -16,16 +16,16 @@ enum class ParseCode
 {
   Ok,
   FileNotFound,
-  CannotOpen,       ///< the file may not be read, or it is a directory, pipe or device
+  CannotOpen,       ///< no permission to read, or a directory, pipe or device
   UnrecognizedType, ///< the file does not have the format of this parser
   PrematureEnd,     ///< the file ends before all expected data
   Malformed,        ///< the file violates the rules of its format
   OutOfMemory,
-  Aborted ///< the progress callback of the run returned false
+  Aborted ///< the caller's progress callback returned false
 };
 
-/// Outcome of parsing a file. Line is the number of the line with the error, counted from 1. In
-/// binary data, Line is 0.
+/// Outcome of parsing a file. Line is the number of the line with the error, counted from 1. For
+/// binary data, Line is 0, and Offset is the position of the error.
 struct ParseStatus
 {
   ParseCode Code = ParseCode::Ok;

@@ -11,7 +11,7 @@
 
 namespace conformal
 {
-/// Convert a number read from a file to a point id.
+/// Check that a number read from a file is a point id, and return this id.
 /// @throws ParseError if no point has this id
 std::int64_t checkedId(const ByteReader& input, std::int64_t id, std::uint64_t numberOfPoints);
 
@@ -36,8 +36,8 @@ public:
   }
 
   /// Reserve memory for `count` polygons, and for the ids of `count` triangles. Each id needs at
-  /// least one byte in the input. The number of reserved ids is therefore limited by the remaining
-  /// input.
+  /// least one byte of the input. The number of reserved ids is therefore at most the number of
+  /// remaining bytes.
   void reserve(std::size_t count)
   {
     this->Data.PolygonOffsets.reserve(this->Data.PolygonOffsets.size() + count);

@@ -19,9 +19,9 @@ public:
   {
   }
 
-  /// Report progress if another hundredth of the input has been read. Parsers call this function
-  /// often.
-  /// @throws Aborted if the progress callback of the run returns false
+  /// Report progress if a hundredth of the input was read since the last report. Parsers call this
+  /// function for every record, such as a point.
+  /// @throws Aborted if the caller's progress callback returns false
   void tick()
   {
     const std::uint64_t offset = this->Input.offset();

@@ -1,6 +1,6 @@
 /// Convert the records of a file to named arrays, record by record or field by field. A record is
-/// the data of one point or polygon, and a field is one number of a record. The names of fields
-/// that writers use are also in this file.
+/// the data of one point or polygon, and a field is one number of a record. This header also
+/// defines the field names that writers use.
 
 #ifndef ConformalRecords_h
 #define ConformalRecords_h
@@ -30,17 +30,20 @@ struct KnownFields
 {
   const char* Array;
   std::vector<std::string> Names; ///< one name for each component
-  bool (*Fits)(ScalarType);       ///< returns whether all fields may have a type
+  bool (*Fits)(ScalarType);       ///< returns whether the fields may have this type
 };
 
 /// Return the lists of field names for normals, colors and texture coordinates. Several lists may
-/// form the same array. Writers use the first of these lists.
+/// form the same array. For example, both nx, ny, nz and normal_x, normal_y, normal_z form
+/// "Normals". Writers use the first list of an array.
 const std::vector<KnownFields>& knownFields();
 
-/// Arrays that are filled from records. Fields of one list of knownFields() share an array if they
-/// have one type. Adjacent fields of one type also share an array if they have the same name. Names
-/// NAME_0, NAME_1 and so on also count as the same name. Every other field has its own array. To
-/// discard a record, write the next record to the same index.
+/// Arrays that are filled from records. Fields of one type form one array in two cases:
+/// - The names of the fields are a list of knownFields().
+/// - The fields are adjacent, and their names are equal, or NAME_0, NAME_1 and so on.
+///
+/// Every other field has its own array. To discard a record, write the next record to the same
+/// index.
 class Records
 {
 public:
@@ -51,7 +54,7 @@ public:
 
   void resize(std::size_t numberOfRecords);
 
-  /// Read a field of a record from BinaryValues or TextValues.
+  /// Read a field of a record by BinaryValues or TextValues (FileValues.h).
   template <typename Values>
   void read(Values& values, std::size_t field, std::size_t record)
   {
@@ -78,12 +81,12 @@ public:
   /// Test whether copy() can be used: every field has the same type in the file and in its array.
   bool canCopy() const { return !this->Runs.empty(); }
 
-  /// Copy packed binary records to the arrays, from the index `first` on. If `swap` is true, the
-  /// byte order is reversed.
+  /// Copy consecutive binary records to the arrays. The first record gets the index `first`. If
+  /// `swap` is true, the byte order of every number is reversed.
   void copy(const char* packed, std::size_t numberOfRecords, std::size_t first, bool swap);
 
-  /// Copy one field of many records to its array, from the index `first` on. The stride is the
-  /// distance between two records in the file [bytes].
+  /// Copy one field of several records to its array. The first record gets the index `first`. The
+  /// stride is the distance between two records in the file [bytes].
   void copyField(std::size_t field, const char* from, std::size_t stride,
     std::size_t numberOfRecords, std::size_t first, bool swap);
 

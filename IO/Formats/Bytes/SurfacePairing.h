@@ -1,4 +1,5 @@
-/// Add the data of further files to a surface: positions on the sphere, or values at points.
+/// Add data of a second file to a surface: values at points, or positions of points on the unit
+/// sphere.
 
 #ifndef ConformalSurfacePairing_h
 #define ConformalSurfacePairing_h
@@ -14,8 +15,9 @@ namespace conformal
 /// Function that parses an opened file.
 using ParseSurfaceFile = std::function<SurfaceResult(ByteReader&)>;
 
-/// Read a sphere file and add its points to a surface, as the array "SpherePosition" (Float64). The
-/// sphere must have the same number of points and the same polygons as the surface. The vectors are
+/// Read a sphere file, and add its points to a surface as the array "SpherePosition" (Float64). A
+/// sphere file contains the mesh of the surface, with its points on a sphere around the origin. The
+/// number of points and the polygons must be those of the surface. The points of the sphere are
 /// scaled to unit length. An existing array "SpherePosition" is replaced.
 ///
 /// If the path is empty, or the status of the surface is an error, the function does nothing. If

@@ -49,7 +49,8 @@ inline double valueOf(const NamedArray& array, std::size_t index)
     });
 }
 
-/// Find the array "SpherePosition". Return null if there is none.
+/// Find the array "SpherePosition", the positions of the points on the unit sphere. Return null if
+/// there is no such array.
 /// @throws std::invalid_argument if a position is zero or not finite
 inline const NamedArray* findSpherePositions(const SurfaceData& surface)
 {
@@ -67,8 +68,8 @@ inline const NamedArray* findSpherePositions(const SurfaceData& surface)
   return sphere;
 }
 
-/// Array "SpherePosition" of a surface, scaled to a sphere of radius 100. Neuroimaging uses this
-/// radius for spheres of cortical surfaces.
+/// Array "SpherePosition" of a surface, multiplied by 100. Neuroimaging programs map cortical
+/// surfaces (of the brain) to spheres of radius 100.
 /// @throws std::invalid_argument if there is no array "SpherePosition", or a position is zero or
 ///   not finite
 class CorticalSphere
@@ -101,8 +102,8 @@ inline void appendTuple(std::string& text, const NamedArray& array, std::size_t 
   }
 }
 
-/// Append the bytes of a color as fractions of 255. Readers convert these fractions to the same
-/// bytes.
+/// Append the bytes of a color as text, each divided by 255. The parsers of this library convert
+/// these fractions to the same bytes.
 inline void appendColor(std::string& text, const NamedArray& colors, std::size_t tuple)
 {
   constexpr float whole = 255.0F;
@@ -120,7 +121,7 @@ inline std::size_t numberOfPolygons(const SurfaceData& surface)
 
 /// Call usePoint with the index of each point. Then call usePolygon with the index, the ids and the
 /// number of ids of each polygon.
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 template <typename UsePoint, typename UsePolygon>
 void walk(const SurfaceData& surface, const Run& run, UsePoint usePoint, UsePolygon usePolygon)
 {

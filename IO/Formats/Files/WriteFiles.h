@@ -17,7 +17,7 @@ enum class WriteCode
 {
   Ok,
   InvalidName, ///< a file name contains a control character
-  CannotOpen,  ///< the file may not be written, or it is a directory, pipe, socket or device
+  CannotOpen,  ///< no permission to write, or a directory, pipe, socket or device
   OutOfDiskSpace
 };
 
@@ -39,12 +39,12 @@ std::string makeTemporaryName();
 /// are renamed to their final names only after all of them are written. If a file cannot be
 /// renamed, the old files are restored.
 ///
-/// Only regular files are replaced, and only if they may be written. If a path is a symbolic link,
-/// the link is kept, and the file to which it points is replaced. The access rights of a replaced
-/// file are kept. The owner and group are also kept, as far as the system allows.
+/// Only regular files are replaced, and only with permission to write them. If a path is a symbolic
+/// link, the link is kept, and the file to which it points is replaced. The access rights of a
+/// replaced file are kept. The owner and group are also kept, as far as the system allows.
 /// @param[in] files     paths and contents of the files
-/// @param[in] makeName  function that returns names of temporary files; called again if a file of
-///   the name exists
+/// @param[in] makeName  function that returns names of temporary files; called again if a file with
+///   the returned name exists
 WriteStatus writeFiles(const std::vector<std::pair<std::string, std::string_view>>& files,
   const MakeName& makeName = makeTemporaryName);
 }

@@ -14,22 +14,24 @@ namespace conformal
 /// @return the bytes of the file
 /// @throws std::invalid_argument if a polygon has more than 3 corners. Also thrown if floats cannot
 ///   represent the points: they are too large, too small, or too far from the origin
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeFreeSurferSurface(const SurfaceData& surface, const Run& run = {});
 
 /// Write a triangle mesh, mapped to a sphere of radius 100, as a FreeSurfer surface file. The
-/// position of each point is 100 times its tuple in the array "SpherePosition".
+/// position of each point is 100 times its tuple in the array "SpherePosition", its position on the
+/// unit sphere.
 /// @return the bytes of the file
 /// @throws std::invalid_argument if "SpherePosition" is missing, or a position is zero or not
 ///   finite. Also thrown if a polygon has more than 3 corners
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeFreeSurferSphere(const SurfaceData& surface, const Run& run = {});
 
-/// Write values at points, an array of 1 component, as a FreeSurfer curv file in the new format.
-/// Values are written as floats.
-/// @param[in] numberOfPolygons  number of polygons of the surface to which the values belong
+/// Write values at points, an array of 1 component, as a FreeSurfer curv file in the new format,
+/// which stores floats.
+/// @param[in] numberOfPolygons  number of polygons of the surface to which the values belong;
+///   stored in the file
 /// @return the bytes of the file
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeFreeSurferCurv(
   const NamedArray& values, std::size_t numberOfPolygons, const Run& run = {});
 }

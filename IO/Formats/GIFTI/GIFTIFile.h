@@ -1,5 +1,5 @@
 /// Parse all arrays of a GIFTI file, a neuroimaging format in XML. The intent of an array states
-/// its meaning, such as POINTSET.
+/// its meaning, such as POINTSET for coordinates of points.
 
 #ifndef ConformalGIFTIFile_h
 #define ConformalGIFTIFile_h
@@ -27,7 +27,7 @@ bool looksLikeGIFTI(std::string_view start);
 /// Read all arrays of a GIFTI file. The encodings ASCII, Base64Binary and GZipBase64Binary are
 /// supported, with any byte order, and with row-major or column-major numbers. Files with custom
 /// XML entities, and files with arrays in external files, are rejected.
-/// @throws ParseError
+/// @throws ParseError if the file is malformed, truncated or not supported
 std::vector<GIFTIArray> readGIFTIFile(ByteReader& input, const ParseLimits& limits, const Run& run);
 }
 

@@ -1,4 +1,4 @@
-/// Parse meshes in the .m format of X. Gu's MeshLib.
+/// Parse meshes in the .m format of MeshLib, a library of X. Gu.
 
 #ifndef ConformalGuMeshParser_h
 #define ConformalGuMeshParser_h
@@ -12,15 +12,17 @@
 
 namespace conformal
 {
-/// Read a mesh of lines "Vertex ID X Y Z {traits}" and "Face ID V V V {traits}". A face refers to
-/// vertices by their ids V. These vertices must precede the face. Ids are any distinct integers.
+/// Read a mesh of lines "Vertex ID X Y Z {traits}" and "Face ID V V V {traits}". Each vertex has an
+/// ID, an integer that no other vertex has. A face refers to vertices by their ids V. These
+/// vertices must precede the face.
 ///
 /// Points are Float64. Traits are optional named values of a vertex or a face. Traits of vertices
 /// become point arrays:
 /// - normal=(x y z): "Normals";
 /// - uv=(u v): "TCoords";
 /// - rgb=(r g b): "RGB" (UInt8);
-/// - sph=(x y z), a trait of H. Hoppe's programs: "SpherePosition", scaled to unit length.
+/// - sph=(x y z), a trait of H. Hoppe's programs: "SpherePosition", the position on a sphere,
+///   scaled to unit length.
 ///
 /// If only some vertices have a trait, the other vertices have the value 0, or the color white.
 /// Trait sph must be at every vertex or at none. Trait rgb of faces becomes the polygon array

@@ -1,5 +1,6 @@
-/// Parse OFF files of the program Geomview. All prefixes of the keyword OFF are supported. If the
-/// keyword has the prefix n, the number of dimensions must be 3.
+/// Parse OFF files of the program Geomview. The keyword OFF at the start of a file may have
+/// prefixes, such as N for normals. All prefixes are supported. With the prefix n, the file states
+/// its number of dimensions, which must be 3.
 
 #ifndef ConformalOFFParser_h
 #define ConformalOFFParser_h
@@ -13,19 +14,24 @@
 
 namespace conformal
 {
-/// Read an OFF file, as text or as binary data. The file begins with [ST][C][N][4][n]OFF, where
-/// brackets enclose optional prefixes. The word BINARY may follow. In a text file, this keyword and
-/// the number of edges may be missing.
+/// Read an OFF file, text or binary. The file begins with the keyword [ST][C][N][4][n]OFF, where
+/// brackets enclose optional prefixes. In a binary file, the word BINARY follows. Then the numbers
+/// of points, faces and edges follow. In a text file, the keyword and the number of edges may be
+/// missing.
 ///
-/// Points are Float64 in a text file and Float32 in a binary file. With prefix 4, the first three
-/// coordinates are divided by the fourth coordinate. With prefix N, the file has "Normals". With
-/// prefix ST, the file has "TCoords". Both arrays have the type of the points. With prefix C, the
-/// file has the colors "RGB" or "RGBA" (UInt8). In a text file without prefix C, three or four
-/// additional numbers of each point are read as a color.
+/// Points are Float64 in a text file and Float32 in a binary file. The prefixes have these
+/// meanings:
+/// - 4: the first three coordinates are divided by the fourth coordinate.
+/// - N: the file has normals, which become "Normals", of the type of the points.
+/// - ST: the file has texture coordinates, which become "TCoords", of the type of the points.
+/// - C: the file has colors, which become "RGB" or "RGBA" (UInt8).
 ///
-/// Three or four numbers after the ids of a face are a color. Colors become an array of the
-/// polygons; a face without a color is white. A single number after the ids becomes the polygon
-/// array "ColorIndex" (Int32). For a face without this number, the index is -1.
+/// In a text file without prefix C, three or four additional numbers of each point are read as a
+/// color.
+///
+/// Three or four numbers after the ids of a face are a color. Colors of faces become the polygon
+/// array "RGB" or "RGBA". A face without a color is white. A single number after the ids becomes
+/// the polygon array "ColorIndex" (Int32). For a face without this number, the index is -1.
 SurfaceResult parseOFF(ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file identify an OFF file, by its keyword.

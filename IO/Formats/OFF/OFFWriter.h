@@ -11,10 +11,10 @@
 namespace conformal
 {
 /// Write a surface, or points without polygons, as OFF text. The point arrays "Normals", "RGB" or
-/// "RGBA", and "TCoords" are written. If the polygons have colors, their colors are written,
-/// otherwise their array "ColorIndex". Other arrays are omitted.
+/// "RGBA", and "TCoords" are written. Colors of the polygons are also written. If the polygons have
+/// no colors, their array "ColorIndex" is written. Other arrays are omitted.
 /// @return the text of the file
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeOFF(const SurfaceData& surface, const Run& run = {});
 }
 

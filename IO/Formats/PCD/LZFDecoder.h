@@ -18,7 +18,8 @@ namespace conformal
 class LZFDecoder
 {
 public:
-  /// Maximum number of decompressed bytes for each byte of compressed data.
+  /// Maximum number of decompressed bytes for each byte of compressed data. At most 264 bytes are
+  /// decompressed from 3 bytes.
   static constexpr std::uint64_t MaximumGrowth = 88;
 
   /// @param[in] compressedBytes  size of the compressed data [bytes], which begin at the next byte

@@ -22,7 +22,7 @@ enum class PCDFormat
 
 struct PCDField
 {
-  /// Name of padding fields. Every other name may occur only once
+  /// Name of all padding fields, which contain no data. Every other name may occur only once
   static constexpr std::string_view Padding = "_";
   std::string Name;
   ScalarType Type = ScalarType::Float32;
@@ -44,7 +44,7 @@ bool looksLikePCD(std::string_view start);
 
 /// Read the header of a PCD file, up to and including the line "DATA". Afterwards, the next byte of
 /// the input is the first byte of the data.
-/// @throws ParseError
+/// @throws ParseError if the header is malformed, truncated, or not of a PCD file
 PCDHeader readPCDHeader(ByteReader& input);
 }
 

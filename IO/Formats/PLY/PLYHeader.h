@@ -41,8 +41,8 @@ struct PLYHeader
 {
   PLYFormat Format = PLYFormat::Ascii;
   std::vector<PLYElement> Elements;
-  std::uint64_t GridColumns = 0; ///< number in the line "obj_info num_cols"; 0 without this line
-  std::uint64_t GridRows = 0;    ///< number in the line "obj_info num_rows"; 0 without this line
+  std::uint64_t GridColumns = 0; ///< columns of the range grid, from "obj_info num_cols"; else 0
+  std::uint64_t GridRows = 0;    ///< rows of the range grid, from "obj_info num_rows"; else 0
 };
 
 /// Test whether the first bytes of a file identify a PLY file.
@@ -50,7 +50,7 @@ bool looksLikePLY(std::string_view start);
 
 /// Read the header of a PLY file, up to and including the line "end_header". Afterwards, the next
 /// byte of the input is the first byte of the data.
-/// @throws ParseError
+/// @throws ParseError if the header is malformed, truncated, or not of a PLY file
 PLYHeader readPLYHeader(ByteReader& input);
 }
 

@@ -13,8 +13,8 @@ namespace conformal
 {
 struct PLYOptions
 {
-  /// Maximum edge length of triangles from a range grid [units of the points]. If 0, the default of
-  /// appendGridTriangles() in RangeGrid.h is used
+  /// Maximum edge length of triangles from a range grid [units of the points]. If 0, the maximum is
+  /// 4 times the median distance of adjacent points (RangeGrid.h)
   double MaximumEdgeLength = 0.0;
   /// Part of the points to read. Only a binary file without polygons, and without lists in its
   /// element "vertex", can be divided. All points of other files belong to the first part
@@ -40,19 +40,20 @@ struct PLYOptions
 /// these arrays are omitted.
 ///
 /// Element "tristrips" defines triangle strips, by the list vertex_indices. In this list, each -1
-/// ends a strip. All triangles of a strip get the same orientation. A triangle with a repeated id
-/// only changes the direction of a strip, and is omitted.
+/// ends a strip. All triangles of a strip get the same orientation. Triangles with a repeated id
+/// only serve to change the direction of a strip, and are omitted.
 ///
-/// Element "range_grid" is the grid of cells of a range scanner. Its list vertex_indices contains
-/// one point id for each cell, or none. The header lines obj_info num_cols and obj_info num_rows
-/// state the size of the grid. Adjacent points form triangles. Without these header lines, the
-/// element is skipped.
+/// Element "range_grid" is the grid of cells of a range scanner. Each cell has a list
+/// vertex_indices, which contains one point id or is empty. The header lines obj_info num_cols and
+/// obj_info num_rows state the size of the grid. Adjacent points form triangles. Without these
+/// header lines, the element is skipped.
 ///
 /// Other elements and other list properties are skipped.
 ///
 /// If the file has polygons, strips or a grid, a coordinate that is not finite is an error. In
-/// other files, a point with this coordinate is omitted. Bytes after the last element are not read.
-/// SurfaceData::UnreadBytes is the number of unread bytes from the first byte that is not a blank.
+/// other files (point clouds), a point with such a coordinate is omitted. Bytes after the last
+/// element are not read. SurfaceData::UnreadBytes is the number of these bytes, without blanks
+/// directly after the last element.
 SurfaceResult parsePLY(ByteReader& input, const PLYOptions& options = {},
   const ParseLimits& limits = {}, const Run& run = {});
 }

@@ -14,7 +14,7 @@ namespace conformal
 /// Integers of 8 bytes become doubles, because PLY has no integers of this size. Blanks and control
 /// characters in names become underscores.
 /// @return the bytes of the file
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makePLY(const SurfaceData& surface, const Run& run = {});
 }
 

@@ -1,5 +1,5 @@
-/// Encode the numbers of a web page as integer codes of few bytes, which compress well. The script
-/// of the page decodes the codes.
+/// Encode the numbers of a web page (SurfacePage.h) as integer codes of few bytes, which compress
+/// well. The script of the page decodes the codes.
 
 #ifndef ConformalPageNumbers_h
 #define ConformalPageNumbers_h
@@ -34,13 +34,14 @@ double valueOfCode(std::uint32_t code, const PageRange& range, std::uint32_t ste
 
 constexpr std::uint32_t PositionSteps = 65535; ///< `steps` of each coordinate of a position
 
-/// Encode a direction of any nonzero length as two codes from 0 to PositionSteps. The direction is
-/// projected to the octahedron |x| + |y| + |z| = 1. The lower half of the octahedron is folded
-/// outward, so that the octahedron becomes a square. The codes are the position in this square.
+/// Encode the direction of a nonzero vector as two codes from 0 to PositionSteps. The vector is
+/// projected to the octahedron |x| + |y| + |z| = 1. The lower half (z < 0) of the octahedron is
+/// folded outward, so that the octahedron becomes a square. The codes are the position in this
+/// square.
 std::array<std::uint32_t, 2> octahedralCode(double x, double y, double z);
 
 /// Decode two codes of octahedralCode() to a unit vector. The vector differs from the encoded
-/// direction by less than 1e-4.
+/// direction by less than 1e-4 (0.006 degrees).
 std::array<double, 3> octahedralDirection(const std::array<std::uint32_t, 2>& code);
 
 /// Append codes as bytes. Each code is replaced by its difference from the previous code, modulo

@@ -1,5 +1,5 @@
-/// Define the texts of page.html, page.css and the script. CMake compiles these files into the
-/// library.
+/// Define the fixed parts of the web page that makeSurfacePage() writes: page.html, page.css and
+/// the script. CMake compiles these files into the library.
 
 #ifndef ConformalPageTemplate_h
 #define ConformalPageTemplate_h
@@ -8,7 +8,7 @@
 
 namespace conformal
 {
-extern const std::string_view PageHTML; ///< text of page.html; text replaces each {{NAME}}
+extern const std::string_view PageHTML; ///< text of page.html; each {{NAME}} is a place for data
 extern const std::string_view PageCSS;
 extern const std::string_view PageScript;
 }

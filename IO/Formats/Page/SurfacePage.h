@@ -16,9 +16,9 @@ namespace conformal
 struct SurfacePageOptions
 {
   std::string Title;
-  /// Name of the array that is shown as color when the page opens. If empty, the picture is shown.
-  /// Without a picture, the array "RGB" or "RGBA" is shown, or else the first array that is not
-  /// constant
+  /// Name of the array that is shown as color when the page opens. If empty, the picture (texture)
+  /// of the surface is shown. Without a picture, the array "RGB" or "RGBA" is shown, or else the
+  /// first array that is not constant
   std::string ColorArrayName;
   /// Whether the picture is repeated for texture coordinates outside of [0, 1]. Otherwise, the
   /// pixels of its border are repeated
@@ -39,7 +39,8 @@ const NamedArray& requirePageSurface(const SurfaceData& surface);
 /// 16 bits, relative to the bounds of the surface. Each position on the sphere is stored in 2 times
 /// 16 bits. The values of an array are rounded to 65535 levels between their minimum and maximum.
 /// Integers are exact if their range is below 2^32. Values that are not finite are shown as
-/// missing. Points and triangles are sorted along the sphere, so that the file is small.
+/// missing. Points and triangles are sorted by their position on the sphere, so that the data
+/// compress well.
 ///
 /// Arrays of 3 or 4 bytes for each point are shown as colors. For other arrays of several
 /// components, the page shows the lengths of the tuples. "SpherePosition", "Normals", "TCoords" and
@@ -48,10 +49,10 @@ const NamedArray& requirePageSurface(const SurfaceData& surface);
 /// @param[in] surface  triangles with a point array "SpherePosition". If there is a picture, the
 ///   surface also has "TCoords", with v counted from the bottom of the picture
 /// @param[in] jpeg     picture as a JPEG file; if empty, there is no picture
-/// @param[in] threeJS  text of a classic or CommonJS build of three.js
-/// @throws std::invalid_argument as requirePageSurface(). Also thrown if an array is missing, or a
-///   position is not finite
-/// @throws Aborted
+/// @param[in] threeJS  text of the library three.js, as a classic script or a CommonJS module
+/// @throws std::invalid_argument as requirePageSurface(). Also thrown if the array ColorArrayName
+///   or required texture coordinates are missing, or a coordinate is not finite
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeSurfacePage(const SurfaceData& surface, std::string_view jpeg,
   std::string_view threeJS, const SurfacePageOptions& options = {}, const Run& run = {});
 }

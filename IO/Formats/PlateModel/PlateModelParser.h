@@ -17,17 +17,18 @@ namespace conformal
 /// vertex, the number of plates (triangles), and a row for each plate. The numbers of vertices and
 /// plates may be on the first line.
 ///
-/// The row of a vertex is X Y Z or I X Y Z. The index I counts from 0 or 1. The row of a plate is A
-/// B C, I A B C, or 3 A B C. A, B and C are the numbers of its three vertices. In .ver files, the 3
-/// may be on a separate line. Vertices are numbered from 0 if a plate contains vertex 0, otherwise
-/// from 1.
+/// The row of a vertex is X Y Z or I X Y Z, where the index I of the row counts from 0 or 1. The
+/// row of a plate is A B C, I A B C, or 3 A B C. A, B and C are the numbers of its vertices, and 3
+/// is the number of vertices. As in .ver files, the 3 may be on a separate line. Vertices are
+/// numbered from 0 if a plate contains vertex 0, otherwise from 1.
 ///
 /// Points are Float64, in the length unit of the file.
 SurfaceResult parsePlateModel(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file identify a plate model. The bytes must contain the counts
-/// and three rows of vertices. If only one count is on the first line, the rows must have an index.
+/// and three rows of vertices. If only one count is on the first line, the rows of vertices must
+/// have an index I.
 bool looksLikePlateModel(std::string_view start);
 }
 

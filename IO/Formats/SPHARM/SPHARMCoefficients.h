@@ -21,8 +21,9 @@ namespace conformal
 /// function of cos(theta) with the Condon-Shortley phase. Let N_lm^2 = (2 l + 1) / (4 pi) (l - m)!
 /// / (l + m)!. For each l, the file contains the coefficient of order 0. The "real" and the
 /// "imaginary" coefficients of each m from 1 to l follow. Real coefficients are factors of N_lm
-/// P_lm cos(m phi). Imaginary coefficients are factors of N_lm P_lm sin(m phi). Positions (x, y, z)
-/// in the file _para define the angles, by cos(theta) = z and phi = atan2(y, x).
+/// P_lm cos(m phi). Imaginary coefficients are factors of N_lm P_lm sin(m phi). A position (x, y,
+/// z) on the unit sphere (file *_para of SPHARM-PDM) has the angles theta = acos(z) and phi =
+/// atan2(y, x).
 ///
 /// The parser multiplies the coefficients of each m > 0 by (-1)^m / sqrt(2). The result contains
 /// coefficients of the real orthonormal harmonics without the Condon-Shortley phase. The sum of
@@ -38,10 +39,10 @@ SurfaceResult parseSPHARMCoefficients(
 bool looksLikeSPHARMCoefficients(std::string_view start);
 
 /// Write coefficients as text. The array must have the layout that parseSPHARMCoefficients()
-/// returns. Numbers have 15 digits. Numbers that were read with at most 15 digits are thus written
-/// unchanged.
+/// returns. Numbers have 15 digits. A number that was read from a file with at most 15 digits is
+/// thus written unchanged.
 /// @throws std::invalid_argument if the array does not have (L + 1)^2 tuples of 3 finite Float64
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeSPHARMCoefficients(const NamedArray& coefficients, const Run& run = {});
 }
 

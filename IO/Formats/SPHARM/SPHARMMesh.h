@@ -1,5 +1,6 @@
 /// Parse and write meshes of the program SPHARM-PDM, in the legacy format of VTK. A surface is in a
-/// file named *_surf, and its sphere is in a file named *_para.
+/// file named *_surf. Its sphere, in a file named *_para, is the same mesh with points on the unit
+/// sphere.
 
 #ifndef ConformalSPHARMMesh_h
 #define ConformalSPHARMMesh_h
@@ -16,7 +17,7 @@ namespace conformal
 {
 /// Read the points (float or double) and polygons of a legacy VTK file with a data set POLYDATA.
 /// The file may be text or binary, of version 1.0 to 5.1. Vertex cells and line cells are skipped.
-/// The parser stops at the first array.
+/// The parser stops at the first array, so that arrays are not read.
 SurfaceResult parseSPHARMMesh(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
@@ -33,7 +34,7 @@ std::string sphereNameOf(const std::string& path);
 /// numbers.
 /// @throws std::invalid_argument if a polygon is not a triangle. makeSPHARMSphere() also throws if
 ///   "SpherePosition" is missing, or a position is zero or not finite
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeSPHARMSurface(const SurfaceData& surface, const Run& run = {});
 std::string makeSPHARMSphere(const SurfaceData& surface, const Run& run = {});
 }

@@ -19,7 +19,7 @@ namespace conformal
 struct AlignedScansOptions
 {
   /// Whether each scan is rotated by its quaternion in the list. If false, each scan is rotated by
-  /// the inverse of its quaternion
+  /// the inverse of its quaternion, as the files of the repository require
   bool InvertRotation = false;
   bool AllowExternalFiles = false; ///< whether scans may be outside of the folder of the list
   bool RequireAllScans = false;    ///< whether a missing scan is an error

@@ -1,4 +1,4 @@
-/// Open scan files by their names in a list of range scans.
+/// Open the scan files that a list of range scans (.conf) names.
 
 #ifndef ConformalScanFolder_h
 #define ConformalScanFolder_h

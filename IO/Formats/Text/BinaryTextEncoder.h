@@ -13,7 +13,7 @@ namespace conformal
 {
 /// Convert bytes to base64 text.
 /// @param[in] isCompressed  whether to compress the bytes with zlib first
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string encodeBinaryText(std::string_view bytes, bool isCompressed, const Run& run = {});
 }
 

@@ -25,10 +25,10 @@ struct TextCloudLayout
     std::size_t Component = 0;
   };
   std::vector<Column> Columns;
-  std::vector<NamedArray> Arrays; ///< arrays without values; the first array contains the points
+  std::vector<NamedArray> Arrays; ///< arrays to fill; the first array is for the points
   std::size_t FirstOffset = 0;    ///< offset of the first line with numbers [bytes]
   double MeanLineBytes = 0.0;     ///< mean length of the examined lines [bytes]
-  bool AllLinesFit = false;       ///< whether lines were examined, and each has all columns
+  bool AllLinesFit = false;       ///< whether each examined line is a point; false without lines
 };
 
 /// Test whether a line is blank or a comment after #, // or ;.
@@ -61,13 +61,13 @@ public:
 /// delimiter is a semicolon. Otherwise, if the line contains a comma that is not a decimal mark,
 /// the delimiter is a comma. Otherwise, blanks and tabs separate the columns.
 ///
-/// Names of columns are read from a line before the numbers, which may be a comment. This line must
-/// contain the names x, y and z, and no name twice. Without names, the first three columns are x, y
-/// and z. The other columns are then classified by the number of columns, and by the values in the
-/// first hundred lines:
-/// - 4 columns: intensity;
-/// - 6 columns: normals if all normals have unit length, otherwise colors if all values are
-///   integers in [0, 255];
+/// Names of columns are read from a line before the numbers, or from a comment there. The line of
+/// names must contain x, y and z, and no name twice. Without names, the first three columns are x,
+/// y and z. The columns after z are then classified by the number of columns, and by the values in
+/// the first hundred lines:
+/// - 4 columns: the fourth column is the intensity;
+/// - 6 columns: normals if all of them have length 1 (within 0.01) or 0; otherwise colors if all
+///   values are integers in [0, 255];
 /// - 7 columns: intensity and colors, or colors and intensity;
 /// - 9 columns: normals and colors, or colors and normals.
 ///

@@ -24,11 +24,11 @@ struct TextCloudOptions
 };
 
 /// Read a text with one point in each line. findTextCloudLayout() determines the meaning of the
-/// columns. Colors become "RGB" (UInt8) if they are integers. Points, "Normals" and all other
-/// columns are Float64.
+/// columns. Colors become "RGB" (UInt8) if they are integers in [0, 255]. Points, "Normals" and all
+/// other columns are Float64.
 ///
-/// If the first line of numbers is a single number, it is the number of points that follow (format
-/// PTS). The file may then have several blocks of points, each after its number of points.
+/// If the first line of numbers contains only one number, this is the number of points that follow
+/// (format PTS). The file may then have several blocks of points, each after its number of points.
 SurfaceResult parseTextCloud(ByteReader& input, const TextCloudOptions& options = {},
   const ParseLimits& limits = {}, const Run& run = {});
 

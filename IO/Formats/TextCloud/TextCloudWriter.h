@@ -16,7 +16,7 @@ namespace conformal
 /// names of other columns are derived from the name of the array. If a name is repeated, "_" is
 /// appended until the name is unique.
 /// @return the text of the file
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeTextCloud(const SurfaceData& surface, const Run& run = {});
 }
 

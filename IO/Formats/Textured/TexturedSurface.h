@@ -24,24 +24,24 @@ struct TexturedSurface
   /// pixels of its border are repeated
   bool RepeatsTexture = false;
   std::string Name;           ///< name of the surface, for glTF; may be empty
-  double MetersPerUnit = 1.0; ///< unit of the positions [m], for glTF; finite and above 0
+  double MetersPerUnit = 1.0; ///< length of a position's unit [m], for glTF; finite and above 0
 };
 
 /// Write a binary glTF 2.0 file that contains a surface and its picture. As glTF requires,
 /// positions become floats, and v is counted from the top. glTF measures lengths in meters. The
-/// node of the surface is therefore scaled by MetersPerUnit. MetersPerUnit is also written as
-/// "metersPerUnit" in the extras of the asset.
+/// node (scene object) of the surface is therefore scaled by MetersPerUnit. MetersPerUnit is also
+/// written as "metersPerUnit" in the extras of the asset.
 ///
 /// If rounding to floats changes the positions too much (FloatRounding::isTooCoarse()), positions
 /// are relative to the center of the bounding box. The node is then translated to this center.
 /// @param[in] png  picture as a PNG file
 /// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would exceed 4 GiB, the limit of the format
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeGLB(const TexturedSurface& surface, std::string_view png, const Run& run = {});
 
 /// Return the text of an OBJ file. The surface has the material "surface" of a material file.
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makeOBJ(
   const TexturedSurface& surface, const std::string& materialFile, const Run& run = {});
 
@@ -52,7 +52,7 @@ std::string makeMTL(const std::string& textureFile);
 /// "texture_u" and "texture_v", with v counted from the bottom of the picture. A header line
 /// "comment TextureFile" contains the name of the picture.
 /// @throws std::length_error if there are too many points for signed 32-bit ids
-/// @throws Aborted
+/// @throws Aborted if the progress callback of `run` returns false
 std::string makePLY(
   const TexturedSurface& surface, const std::string& textureFile, const Run& run = {});
 }
