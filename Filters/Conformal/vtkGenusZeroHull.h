@@ -147,9 +147,9 @@ public:
 
   ///@{
   /**
-   * Ratio that decides whether a hole in the data is closed if Method is DISTANCE. A hole is closed
-   * if the space behind the hole is wider than the hole by at least this factor. Other holes stay
-   * open: the space behind them is outside. In [1.1, 10]. Default is 1.5.
+   * Minimum ratio between the width of the space behind a hole in the data and the width of the
+   * hole. Used only if Method is DISTANCE. Holes with at least this ratio are closed. Other holes
+   * stay open: the space behind them is outside. In [1.1, 10]. Default is 1.5.
    */
   vtkSetClampMacro(Persistence, double, 1.1, 10.0);
   vtkGetMacro(Persistence, double);

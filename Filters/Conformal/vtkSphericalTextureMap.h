@@ -183,9 +183,9 @@ public:
   ///@{
   /**
    * Whether to cut the surface along the projection's seams (where the image is discontinuous) and
-   * folds (the image is bent), and along the image's borders. Without cuts, triangles that cross a
-   * seam show a large part of the image squeezed or mirrored. With cuts, the output consists of
-   * triangles and is not a closed mesh. Default is off.
+   * folds (where the image is not smooth), and along the image's borders. Without cuts, triangles
+   * that cross a seam show a large part of the image squeezed or mirrored. With cuts, the output
+   * consists of triangles and is not a closed mesh. Default is off.
    *
    * Points on a cut are duplicated, so that each side of the cut has its own points. With cuts,
    * "OutsideImage" is equal at all corners of a triangle. With STEREOGRAPHIC, the region within 10

@@ -13,7 +13,7 @@
  * folds.
  *
  * Input port 1: vtkPolyData, the fixed surface: closed, of genus zero, with a map that fulfills the
- * requirements of port 0.
+ * requirements of input port 0.
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the deformed map. Points of both surfaces
@@ -39,13 +39,14 @@
  *
  * Features are numbers at the points of both surfaces that should be equal at corresponding points.
  * The filter computes five features of each point. The first is the mean distance along the surface
- * to all other points. Two features are areas of the surface near the point, and two are mean
- * curvatures near the point, each at two scales. Point arrays added by AddFeature() are further
- * features. The filter first rotates the map. Two or more landmarks determine the rotation. With
- * fewer landmarks, the filter selects several rotations for which the features agree best. The
- * rotated maps are then deformed, and the result with the lowest score is kept. The score is the
- * sum of four penalties: stretch, disagreement of features, difference of the shapes after the best
- * rotation in space, and distances between corresponding landmarks. Mirror images are never tried.
+ * to all other points. Two features are the area of the surface near the point, at two scales. The
+ * last two are the mean curvature near the point, at two scales. Point arrays added by AddFeature()
+ * are further features. The filter first rotates the map. Two or more landmarks determine the
+ * rotation. With fewer landmarks, the filter selects several rotations for which the features agree
+ * best. The rotated maps are then deformed, and the result with the lowest score is kept. The score
+ * is the sum of four penalties: stretch, disagreement of features, difference of the shapes after
+ * the best rotation in space, and distances between corresponding landmarks. Mirror images are
+ * never tried.
  *
  * Landmarks are matched as closely as the map allows without folds. If some landmarks are not
  * matched, a warning states their number.
