@@ -45,8 +45,8 @@
  *   are far from the mesh. Outliers, which are far from all other points, are not counted.
  * - field data "InvertedFraction" (1 value): fraction of the input points, weighted by area, at
  *   which the mesh faces the wrong way. The test uses normals, or winding numbers (about 1 inside
- *   of the points, 0 outside). Points at which two opposite layers of the mesh coincide are also
- *   counted.
+ *   of the points, 0 outside). Points at which two layers of the mesh with opposite normals
+ *   coincide are also counted.
  * - field data "FoldedFraction" (1 value): fraction of the mesh's edges at which the normals of
  *   both triangles differ by more than 150 degrees.
  * - field data "UndersampledFraction" (1 value): fraction of the input points, weighted by area, in
@@ -78,14 +78,14 @@
  * - point array "GlobalPointIds" and cell array "GlobalCellIds" (vtkIdType), only with
  *   DistributeOutput: the active global ids.
  *
- * Output port 1: vtkTable, on the first process, with one row for each epoch (Online), pass over
- * the points (Batch) or iteration of the fit. Column "Frequency" is the frequency of the geodesic
- * sphere that has about as many triangles as the mesh. "NeighborhoodRadius" is the radius sigma(t)
- * on the unit sphere, and "LearningRate" is alpha(t). OnlineConstants describes both.
- * "MeanSquareError" is the mean square distance between the points used for the row and the mesh.
- * "MeanDisplacement" is the mean distance by which the neurons moved. In "MeanSquareError" and
- * "MeanDisplacement", the unit of length is the largest distance of an input point from the
- * centroid of the points.
+ * Output port 1: vtkTable, on the first process, with one row for each epoch (ONLINE), pass over
+ * the points (BATCH) or iteration of the least-squares fit (BATCH). Column "Frequency" is the
+ * frequency of the geodesic sphere that has about as many triangles as the mesh.
+ * "NeighborhoodRadius" is the radius sigma(t) on the unit sphere, and "LearningRate" is alpha(t).
+ * OnlineConstants describes both. "MeanSquareError" is the mean square distance between the points
+ * used for the row and the mesh. "MeanDisplacement" is the mean distance by which the neurons
+ * moved. In "MeanSquareError" and "MeanDisplacement", the unit of length is the largest distance of
+ * an input point from the centroid of the points.
  *
  * Output port 2: vtkMultiBlockDataSet, the intermediate surfaces of learning, on the first process.
  * The output is empty if GenerateStages is off. A start is a surface from which learning begins.
@@ -231,9 +231,10 @@ public:
 
   ///@{
   /**
-   * Name of a point array of the input with 1 component, the priority of each point. Online:
-   * relative frequency with which the point is drawn in the second half of the epochs. Batch:
-   * weight of the point. Default is none (or an empty name): all points have equal priority.
+   * Name of a point array of the input with 1 component, the priority of each point. In online
+   * learning, the priority is the relative frequency with which the point is drawn in the second
+   * half of the epochs. In batch learning, it is the weight of the point. Default is none (or an
+   * empty name): all points have equal priority.
    *
    * The paper gives a higher priority to extrusive parts. Negative and non-finite values count as
    * 0, with a warning.
@@ -342,8 +343,8 @@ public:
    * With MESH, it is an error if the polygons do not form a closed surface of genus zero. Points
    * that belong to no polygon are left out with a warning. With AUTOMATIC, polygons that do not
    * form a closed surface of genus zero only provide normals, see HullMethod. With several
-   * processes, polygons are used only if one process has the whole input. If several processes have
-   * points, MESH is an error, and AUTOMATIC gives a warning.
+   * processes, polygons are used only if one process has all points. If the points are spread over
+   * several processes, MESH is an error, and AUTOMATIC gives a warning.
    *
    * Small webs can be detected only in the fitted mesh. With AUTOMATIC, the mesh is learned again
    * from a hull if more than 0.1 % of the fitted mesh's area has no points nearby. The second

@@ -36,14 +36,15 @@
  *   added to the solid to fill the openings of handles.
  * - "HoleWidth", "HoleDepth" (double): size of the largest hole in the data that was closed.
  *   HoleWidth is the distance from the middle of the hole to the nearest point, about the radius of
- *   the hole. HoleDepth is the largest distance to the nearest point in the space behind the hole.
- *   If both values are nearly equal, the classification of that space as inside is uncertain. Both
- *   values are 0 if there is no hole, and for WINDING_NUMBERS.
+ *   the hole. HoleDepth is the distance to the nearest point at the position, in the space behind
+ *   the hole, where this distance is largest. If both values are nearly equal, the classification
+ *   of that space as inside is uncertain. Both values are 0 if there is no hole, and for
+ *   WINDING_NUMBERS.
  * - "Leaks" (idtype): 1 if a hole in the data is about as wide as the space behind it. By the
  *   property Persistence alone, almost nothing would then be inside. The filter instead chose the
  *   part of space that is most likely inside.
  * - "NumberOfPointsOutside" (idtype): number of points outside of the hull and not near it:
- *   outliers, and points apart from the largest connected piece.
+ *   outliers, and points apart from the largest connected part of the object.
  * - "NumberOfPointsInside" (idtype): number of points inside the hull and not near its surface:
  *   inner parts of the object, and outliers.
  *
@@ -68,8 +69,8 @@
  * WINDING_NUMBERS computes, at each node of a grid, the winding number of the points with their
  * normals: about 1 inside and 0 outside. The surface passes through the points, or through the
  * middle of their noise. A hole in the data is closed by a smooth continuation of the surface
- * around the hole. Normals are those of the input, or are found by steepest descent (S. Lin and
- * others, 2022 and 2024; see Documentation/references.bib).
+ * around the hole. Normals are those of the input, or are estimated from the points by steepest
+ * descent (S. Lin and others, 2022 and 2024; see Documentation/references.bib).
  *
  * @sa
  * vtkConformalSOM vtkGenusZeroCheck vtkSurfaceMismatch
@@ -108,9 +109,15 @@ public:
    * Winding numbers use the normals of the input's polygons, or the active normals if there are no
    * polygons. Inward normals are reversed. If the input has no normals, they are estimated from the
    * points. If the input's normals contradict each other, normals are also estimated, with a
-   * warning. With AUTOMATIC, the result of the distance seems wrong in three cases: a hole is as
-   * wide as the space behind it, there are handles, or many points are outside. Winding numbers are
-   * used only if they find little noise. The test costs about one second on one thread.
+   * warning. With AUTOMATIC, the result by distance seems wrong in each of these cases:
+   * - A hole is as wide as the space behind the hole (Leaks).
+   * - The points enclose nothing.
+   * - The object has handles.
+   * - More than 0.5 % of the points are outside and not near the hull.
+   *
+   * The hull by winding numbers then replaces the hull by distance if it has no handles, leaves out
+   * few points, and finds little noise. If Leaks is 1, the noise does not matter. To compute the
+   * hull by winding numbers costs about one second on one thread.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC, WINDING_NUMBERS);
   vtkGetMacro(Method, int);

@@ -148,9 +148,9 @@ public:
 
   ///@{
   /**
-   * Factors by which the width and the height of the image are scaled about its middle. Use (1.5,
-   * 1) for a picture whose sides have the ratio 3 : 2, so that it is not distorted. In [0.001,
-   * 1000]. Default is (1, 1).
+   * Factors by which the width and the height of the image are scaled about its middle. For
+   * example, use (1.5, 1) for a picture with the ratio 3 : 2 of width to height. The picture is
+   * then not distorted. In [0.001, 1000]. Default is (1, 1).
    */
   vtkSetVector2Macro(Scale, double);
   vtkGetVector2Macro(Scale, double);
