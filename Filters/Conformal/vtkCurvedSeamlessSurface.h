@@ -41,11 +41,11 @@
  *   NETWORK, the value is 1 for each part of a degenerate triangle. Otherwise it is 1 for each
  *   triangle with at least one point in a degenerate triangle.
  * - field array "NumberOfDegeneratePatches" (vtkIdType): number of degenerate triangles of input
- *   port 0, for which the usual construction of the map or the dome (see DomeHeight) fails. If the
- *   number is not 0, there is a warning. A triangle without area in space or on the sphere is
- *   mapped affinely. If DomeHeight is CURVATURE or FITTED, a dome that would fold over is replaced
- *   by the flat triangle. If DomeHeight is PUBLISHED or SCALED, triangles whose normal is opposite
- *   to that of a neighbor are also counted.
+ *   port 0, for which the usual construction of the map or the dome (curved patch, see DomeHeight)
+ *   fails. If the number is not 0, there is a warning. A triangle without area in space or on the
+ *   sphere is mapped affinely. If DomeHeight is CURVATURE or FITTED, a dome that would fold over is
+ *   replaced by the flat triangle. If DomeHeight is PUBLISHED or SCALED, triangles whose normal is
+ *   opposite to that of a neighbor are also counted.
  *
  * The surface is computed by the algorithm in Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
  * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to

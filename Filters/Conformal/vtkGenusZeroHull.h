@@ -36,10 +36,10 @@
  *   added to the solid to fill the openings of handles.
  * - "HoleWidth", "HoleDepth" (double): size of the largest hole in the data that was closed.
  *   HoleWidth is the distance from the middle of the hole to the nearest point, about the radius of
- *   the hole. HoleDepth is the distance to the nearest point at the position, in the space behind
- *   the hole, where this distance is largest. If both values are nearly equal, the classification
- *   of that space as inside is uncertain. Both values are 0 if there is no hole, and for
- *   WINDING_NUMBERS.
+ *   the hole. Each position in the space behind the hole has a distance to the nearest point;
+ *   HoleDepth is the largest of these distances. If HoleWidth and HoleDepth are nearly equal, the
+ *   classification of that space as inside is uncertain. Both values are 0 if there is no hole, and
+ *   for WINDING_NUMBERS.
  * - "Leaks" (idtype): 1 if a hole in the data is about as wide as the space behind it. By the
  *   property Persistence alone, almost nothing would then be inside. The filter instead chose the
  *   part of space that is most likely inside.
