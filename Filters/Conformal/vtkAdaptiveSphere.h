@@ -4,14 +4,16 @@
  *
  * Make a closed triangle mesh of the unit sphere with a given number of points. The density of the
  * points is defined by a surface that is mapped to the sphere, or by a picture, see Density. No
- * angle of a triangle is below 28 degrees. To control where vtkCurvedSeamlessSurface places the
- * points of a surface, connect this mesh to the input Sphere of that filter.
+ * angle of a triangle is below 28 degrees. The filter vtkCurvedSeamlessSurface makes a smooth
+ * surface. To control where that filter places the points of the surface, connect this mesh to its
+ * input Sphere.
  *
  * Input port 0: vtkPolyData, a surface with a map to the sphere. Polygons and strips are cut into
  * triangles.
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
  *   sphere. The map must cover the sphere exactly once.
- * - point or cell array with the name DensityArrayName (1 component), required if Density is ARRAY.
+ * - point or cell array (1 component) whose name is the value of DensityArrayName; required if
+ *   Density is ARRAY.
  * - field data of vtkSphericalTextureMap (optional), used if Density is IMAGE: placement of the
  *   picture on the sphere. Without these field data, the columns of the picture are longitudes, and
  *   its rows are latitudes. The middle of the picture is then in direction (0, 0, 1), and its top
@@ -26,16 +28,17 @@
  * equal bit by bit for any number of threads.
  * - point array "SpherePosition" (double, 3 components): the point itself, as a unit vector.
  *
- * On input port 1 of vtkCurvedSeamlessSurface, the mesh defines the directions in which a surface
- * is sampled. This mesh is called N^new in C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). The paper suggests
- * dense vertices in an area with fine texture. The triangles of the mesh do not depend on the
- * triangles of the surface.
+ * If this mesh is connected to input port 1 of vtkCurvedSeamlessSurface, its points are the
+ * directions in which that filter samples a surface. A mesh for this purpose is called N^new in
+ * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
+ * Neurocomputing 71 (2008). The paper suggests dense vertices in an area with fine texture. The
+ * surface on input port 0 affects this mesh only by the density.
  *
  * Implementation note: the mesh is made by the Delaunay refinement of L. P. Chew,
  * "Guaranteed-quality mesh generation for curved surfaces", Symposium on Computational Geometry
- * (1993). The triangle that is largest relative to the density is always refined next, until the
- * number of points is reached. The final smoothing keeps all angles at 28 degrees or more.
+ * (1993). Each step divides the triangle that is largest relative to the size that the density
+ * requires. Refinement ends when the number of points is reached. The final smoothing keeps all
+ * angles at 28 degrees or more.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkGeodesicSphereSource vtkSphericalTextureMap
@@ -70,14 +73,15 @@ public:
   ///@{
   /**
    * Density of the points. AREA (default): uniform over the surface on input port 0. CURVATURE:
-   * half of the points are distributed in proportion to the curvature of the surface. ARRAY: points
-   * per area of the surface are proportional to the array DensityArrayName. IMAGE: half of the
-   * points are distributed in proportion to the gradient of the picture on input port 1.
+   * half of the points are distributed in proportion to the curvature of the surface. ARRAY: the
+   * number of points per area of the surface is proportional to the array that DensityArrayName
+   * names. IMAGE: half of the points are distributed in proportion to the gradient of the picture
+   * on input port 1.
    *
    * With AREA, the density on the sphere is inversely proportional to the factor by which the map
-   * enlarges areas. CURVATURE and IMAGE distribute the other half of the points uniformly over the
-   * surface. Curvature is the sum of the absolute principal curvatures. The gradient of the picture
-   * is its derivative along the sphere.
+   * from the surface to the sphere enlarges areas. CURVATURE and IMAGE distribute the other half of
+   * the points uniformly over the surface. Curvature is the sum of the absolute principal
+   * curvatures. The gradient of the picture is its derivative along the sphere.
    */
   vtkSetClampMacro(Density, int, AREA, IMAGE);
   vtkGetMacro(Density, int);
@@ -89,10 +93,10 @@ public:
 
   ///@{
   /**
-   * ARRAY: name of the array of densities, with 1 component. If there is no point array of this
-   * name, the cell array of this name is used. Values must be finite and at least 0, with at least
-   * one above 0. Where the value is 0, the mesh has as few points as the bound on the angles
-   * allows. Default is empty.
+   * Name of the array of densities, with 1 component. Used only if Density is ARRAY. If there is no
+   * point array of this name, the cell array of this name is used. Values must be finite and at
+   * least 0, with at least one above 0. Where the value is 0, the mesh has as few points as the
+   * bound on the angles allows. Default is empty.
    */
   vtkSetMacro(DensityArrayName, std::string);
   vtkGetMacro(DensityArrayName, std::string);
@@ -101,7 +105,8 @@ public:
   ///@{
   /**
    * Number of points of the mesh. The actual number differs by at most 2 percent. In [500,
-   * 100000000]. Default is 64,002, the number of points of a geodesic sphere of frequency 80.
+   * 100000000]. Default is 64,002, the number of points of a geodesic sphere
+   * (vtkGeodesicSphereSource) of frequency 80.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);

@@ -11,9 +11,9 @@
  * Polygons and strips are treated as triangles. The value of a polygon is the mean over its
  * triangles.
  *
- * Output port 0: the input, with cell arrays (double, 1 component). Lines and vertices get the
- * value that means no distortion. So do triangles that have no area on the surface or on the
- * sphere.
+ * Output port 0: the input, with cell arrays (double, 1 component). The value that means no
+ * distortion is used for lines and vertices, and for triangles without area on the surface or on
+ * the sphere.
  * - "AngleDistortion": mean absolute difference between the angles of a triangle on the surface and
  *   on the sphere, in degrees. 0 means none.
  * - "AreaDistortion": natural logarithm of the ratio a / b. Here a is the triangle's fraction of
@@ -26,14 +26,14 @@
  * - "MeanAngleDistortion", "MeanQuasiConformalError" (double): means of the cell arrays.
  * - "AreaDistortionDeviation" (double): standard deviation of AreaDistortion.
  * - "SphereDegree" (double): number of times that the triangles cover the sphere; 1 for a valid
- *   map. The number is negative if the triangles are clockwise on the sphere. For example, the
- *   number is -1 for a valid map that mirrors the surface, and for a surface that is oriented
- *   inward.
- * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles that have no area on the sphere, or
- *   whose orientation there is opposite to that of the majority, by area. If a map mirrors all
- *   triangles, this number is 0.
- * - "NumberOfZeroAreaTriangles" (vtkIdType): number of triangles without area, which are left out
- *   of the means.
+ *   map. The number is negative if the triangles on the sphere are clockwise seen from outside. For
+ *   example, the number is -1 for a valid map that mirrors the surface, and for a surface that is
+ *   oriented inward.
+ * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles without area on the sphere, plus
+ *   the number of triangles oriented opposite to the others. The others are those whose orientation
+ *   on the sphere covers the larger area. If a map mirrors all triangles, this number is 0.
+ * - "NumberOfZeroAreaTriangles" (vtkIdType): number of triangles without area on the surface or on
+ *   the sphere. These triangles are left out of the means.
  *
  * A triangle on the sphere is treated as the flat triangle between the positions of its corners.
  * Sections 2 and 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved

@@ -2,10 +2,11 @@
  * @class   vtkConformalSOM
  * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
  *
- * Learn a closed triangle mesh with a one-to-one map to the sphere. Only points are needed. The
- * method is the conformal self-organizing map (CSM) of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
- * Neurocomputing 71 (2008). The point array "SpherePosition" of the mesh holds the position of each
- * point on the sphere. The second output is a table of the training history, for a line chart.
+ * Learn a closed triangle mesh with a one-to-one map to the sphere. The input needs neither
+ * triangles nor normals. The method is the conformal self-organizing map (CSM) of C.-Y. Liou, Y.-T.
+ * Kuo, J.-C. Huang, Neurocomputing 71 (2008). The point array "SpherePosition" of the mesh holds
+ * the position of each point on the sphere. The second output is a table of the training history,
+ * for a line chart.
  *
  * Input port 0: vtkPointSet, points in any sequence. Polygons can serve as the surface from which
  * learning starts, see StartingShape. Other cells are ignored. Points with non-finite coordinates
@@ -13,11 +14,11 @@
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
  * "SpherePosition". If this mesh is present, an adaptive mesh (see MeshType) is learned from it,
- * and StartingShape is ignored. ONLINE learning then also starts from this mesh, instead of from
- * the sphere. For BATCH learning of a geodesic mesh, this input is an error. Let R be the largest
- * distance of an input point from the center of the input points. No coordinate of this mesh,
- * relative to that center, may exceed 4 R in magnitude. If all input points lie in a plane, this
- * mesh is used only if MeshType is ADAPTIVE.
+ * and StartingShape is ignored. If TrainingMode is ONLINE, learning also starts from this mesh,
+ * instead of from the sphere. If TrainingMode is BATCH and MeshType is GEODESIC, this input is an
+ * error. Let R be the largest distance of an input point from the center of the input points. No
+ * coordinate of this mesh, relative to that center, may exceed 4 R in magnitude. If all input
+ * points lie in a plane, this mesh is used only if MeshType is ADAPTIVE.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh through the points, in the coordinates of the
  * input, double precision. The points of the mesh are the neurons of the self-organizing map. An
@@ -25,25 +26,27 @@
  * 10 f^2 + 2 points and 20 f^2 triangles. The integer f is chosen so that the number of points is
  * nearest to NumberOfNeurons.
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
- *   For a geodesic mesh, it is the position vector n_i of the neuron in the paper. For an adaptive
- *   mesh, it is the image of the point under a conformal map. vtkGlobalConformalMap computes other
- *   maps, for example a map with more area for limbs (AreaBalance).
+ *   For a geodesic mesh, it is the vector n_i of the paper: the fixed position of neuron i on the
+ *   geodesic sphere. For an adaptive mesh, it is the image of the point under a conformal map.
+ *   vtkGlobalConformalMap computes other maps, for example a map with more area for limbs
+ *   (AreaBalance).
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
  *   to 0 over holes in the data. vtkCurvedSeamlessSurface interpolates this array.
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
  *   neuron and the input points assigned to this neuron; 0 if no points are assigned. If the input
- *   has more than 12 points for each neuron, the error is computed from a selection of that size.
+ *   has more than 12 points for each neuron, only a selection of 12 points for each neuron is used.
  * - field data "AffineRank" (1 value): dimension of the space that the points span. It is 3 in
  *   general, 2 for points in a plane, 1 for points on a line, and 0 for equal points. If it is
  *   below 3, the mesh is valid but flat, and there is a warning.
  * - field data "UnsupportedFraction" (1 value): fraction of the mesh's area without input points
- *   nearby. This area consists of hole fillings, and of webs (spurious membranes) between limbs.
- *   The value is 0 in Online mode.
+ *   nearby. This area consists of hole fillings, and of webs (spurious membranes) between limbs. If
+ *   TrainingMode is ONLINE, the value is 0.
  * - field data "UncoveredFraction" (1 value): fraction of the input points, weighted by area, that
  *   are far from the mesh. Outliers, which are far from all other points, are not counted.
  * - field data "InvertedFraction" (1 value): fraction of the input points, weighted by area, at
- *   which normals or winding numbers show that the mesh faces the wrong way. Points at which two
- *   opposite layers of the mesh coincide are also counted.
+ *   which the mesh faces the wrong way. The test uses normals, or winding numbers (about 1 inside
+ *   of the points, 0 outside). Points at which two layers of the mesh with opposite normals
+ *   coincide are also counted.
  * - field data "FoldedFraction" (1 value): fraction of the mesh's edges at which the normals of
  *   both triangles differ by more than 150 degrees.
  * - field data "UndersampledFraction" (1 value): fraction of the input points, weighted by area, in
@@ -56,8 +59,8 @@
  *   the least-squares fit. A value well above 1 means that the mesh is crumpled.
  * - field data "NoiseLevel" (1 value): estimated standard deviation of the noise, in the unit of
  *   the coordinates. It is 0 if details of the object explain the distances between points and
- *   mesh. In Online mode, NoiseLevel and all fractions are 0, and AreaRatio is 1. Each bad value
- *   causes a warning.
+ *   mesh. If TrainingMode is ONLINE, NoiseLevel and all fractions are 0, and AreaRatio is 1. If one
+ *   of the fractions, LayerDistance or NoiseLevel is bad, there is a warning.
  * - field data "StartedFromHull" (1 value): 1 if the mesh was learned from a hull, a closed surface
  *   around the points (vtkGenusZeroHull).
  * - field data "StartedFromMesh" (1 value): 1 if the mesh was learned from the polygons of the
@@ -69,44 +72,49 @@
  * - field data "NumberOfStarts" (1 value): number of surfaces from which learning was started:
  *   sphere, hull or mesh. The best result is kept.
  * - field data "VertexShift" (1 value): suitable value of the property VertexShift of
- *   vtkCurvedSeamlessSurface. That filter shifts the vertices by this factor before it replaces the
- *   flat triangles by curved triangles. A value of 1 keeps the enclosed volume. The value is 0 if
- *   the mesh was not fitted.
+ *   vtkCurvedSeamlessSurface. That filter shifts the vertices before it replaces the flat triangles
+ *   by curved triangles. The value is the factor of the shift. With 1, the curved triangles enclose
+ *   the same volume as the flat triangles. The value is 0 if the mesh was not fitted.
  * - point array "GlobalPointIds" and cell array "GlobalCellIds" (vtkIdType), only with
  *   DistributeOutput: the active global ids.
  *
- * Output port 1: vtkTable, on the first process, with one row for each epoch (Online), pass over
- * the points (Batch) or iteration of the fit. Column "Frequency" is the frequency of the geodesic
- * sphere that has about as many triangles as the mesh. "NeighborhoodRadius" is sigma(t) on the unit
- * sphere, and "LearningRate" is alpha(t), see OnlineConstants. "MeanSquareError" is the mean square
- * distance between the points used in the step and the mesh. "MeanDisplacement" is the mean
- * distance by which the neurons moved. In the last two columns, the unit of length is the largest
- * distance of an input point from the centroid of the points.
+ * Output port 1: vtkTable, on the first process, with one row for each epoch (ONLINE), pass over
+ * the points (BATCH) or iteration of the least-squares fit (BATCH). Column "Frequency" is the
+ * frequency of the geodesic sphere that has about as many triangles as the mesh.
+ * "NeighborhoodRadius" is the radius sigma(t) on the unit sphere, and "LearningRate" is alpha(t).
+ * OnlineConstants describes both. "MeanSquareError" is the mean square distance between the points
+ * used for the row and the mesh. "MeanDisplacement" is the mean distance by which the neurons
+ * moved. In "MeanSquareError" and "MeanDisplacement", the unit of length is the largest distance of
+ * an input point from the centroid of the points.
  *
  * Output port 2: vtkMultiBlockDataSet, the intermediate surfaces of learning, on the first process.
- * The output is empty without GenerateStages. The name of a block consists of the number of the
- * start, the start, and the stage, such as "1 sphere: level 4" or "2 hull: fit". The start is the
- * surface from which learning began. The first start has number 1, and abandoned starts are also
- * counted. The last block, "kept", is the result. Each block is a vtkPolyData with the field data
- * "StartNumber", "DefectScore", "UncoveredFraction", "InvertedFraction" and "FoldedFraction". A
- * surface with a DefectScore above 1 is bad. In Online mode, score and fractions are 0.
+ * The output is empty if GenerateStages is off. A start is a surface from which learning begins.
+ * Starts are counted from 1, including abandoned starts. The name of a block consists of the number
+ * of the start, the name of the start, and the stage, such as "1 sphere: level 4" or "2 hull: fit".
+ * The last block, "kept", is the result. Each block is a vtkPolyData with the field data
+ * "StartNumber", "DefectScore", "UncoveredFraction", "InvertedFraction" and "FoldedFraction". For
+ * the DefectScore, each of the three fractions is divided by the largest value that is acceptable.
+ * The score is the largest quotient, so that a surface with a score above 1 is bad. If TrainingMode
+ * is ONLINE, score and fractions are 0.
  *
  * Neurons are the vertices of a network on the sphere. Each neuron learns a weight vector, its
  * position in the space of the points (section 2 of the paper, "Conformal self-organizing map on
  * curved seamless surface"). TrainingMode ONLINE is the paper's learning algorithm, one point at a
  * time, with the paper's constants as defaults. BATCH, the default, uses all points at once on a
- * sequence of finer networks, and ends with a least-squares fit. The mean square distance between
- * the points and the mesh is then more than a hundred times smaller, and learning is faster.
+ * sequence of networks, from coarse to fine, and ends with a least-squares fit. The mean square
+ * distance between the points and the mesh is more than a hundred times smaller than with ONLINE,
+ * and learning is faster.
  *
  * ONLINE learns by Eqs. 3 to 5 of the paper, and the neurons' positions on the sphere are the
- * paper's map. BATCH applies Eq. 3 to all points. For a geodesic mesh, BATCH learns on all networks
- * and then fits the finest network to the points. For an adaptive mesh, BATCH learns on coarse
- * networks only, and only if the object has no limbs. The coarse mesh, or a hull of the points, is
- * then alternately remeshed and fitted. Finally it is mapped to the sphere conformally. The paper
- * suggests meshes that grow and swap edges as alternatives to its network.
+ * paper's map. BATCH applies Eq. 3, which moves neurons towards a point, to all points at once. For
+ * a geodesic mesh, BATCH learns on the whole sequence of networks, and then fits the finest network
+ * to the points. For an adaptive mesh, BATCH learns on coarse networks only, and only if the object
+ * has no limbs. The coarse mesh, or a hull of the points, is then alternately remeshed and fitted.
+ * Finally it is mapped to the sphere conformally. The paper suggests growing meshes and edge swaps
+ * as alternatives to its fixed network.
  *
- * Implementation note: with the paper's constants, learning stops while the neighborhood radius is
- * still larger than a triangle. Documentation/Filters.md has the measurement.
+ * Implementation note: with the paper's constants, ONLINE learning ends while the neighborhood
+ * radius sigma(t) is still larger than a triangle. Documentation/Filters.md has the measurement.
  *
  * Implementation note: the paper's mismatch error E_mis measures distances from the points to the
  * mesh only. A mesh that is learned from the sphere may have webs between limbs. E_mis does not
@@ -223,9 +231,10 @@ public:
 
   ///@{
   /**
-   * Name of a point array of the input with 1 component, the priority of each point. Online:
-   * relative frequency with which the point is drawn in the second half of the epochs. Batch:
-   * weight of the point. Default is none (or an empty name): all points have equal priority.
+   * Name of a point array of the input with 1 component, the priority of each point. In online
+   * learning, the priority is the relative frequency with which the point is drawn in the second
+   * half of the epochs. In batch learning, it is the weight of the point. Default is none (or an
+   * empty name): all points have equal priority.
    *
    * The paper gives a higher priority to extrusive parts. Negative and non-finite values count as
    * 0, with a warning.
@@ -246,16 +255,16 @@ public:
   ///@{
   /**
    * Reference point: the point of the sphere that corresponds to an input point during learning.
-   * The input point is first projected onto the mesh. CONFORMAL: image of the projection by a
-   * conformal map of the triangle, Eqs. 4 and 5 of the paper. AFFINE: image by an affine map of the
-   * triangle. WINNER: position of a neuron, as in the plain self-organizing map.
+   * The input point is first projected onto the mesh. CONFORMAL: image of the projected point under
+   * a conformal map of its triangle, Eqs. 4 and 5 of the paper. AFFINE: image under an affine map
+   * of the triangle. WINNER: position of a neuron, as in the plain self-organizing map.
    * AUTOMATIC_REFERENCE (default): CONFORMAL in online learning, AFFINE in batch learning.
    *
    * With WINNER, online learning uses the position n_c of the winning neuron, the neuron nearest to
-   * the input point. Batch learning uses the corner with the largest barycentric weight in the
-   * triangle of the projection. In batch learning, AFFINE gives a mesh as close to the points as
-   * CONFORMAL, in less time. Batch learning uses this property only while a mesh is learned from
-   * the sphere, not in the fit.
+   * the input point. Batch learning uses a corner of the triangle that contains the projected
+   * point: the one with the largest barycentric weight. In batch learning, AFFINE gives a mesh as
+   * close to the points as CONFORMAL, in less time. Batch learning uses this property only while a
+   * mesh is learned from the sphere, not in the fit.
    */
   vtkSetClampMacro(ReferencePoint, int, AUTOMATIC_REFERENCE, AFFINE);
   vtkGetMacro(ReferencePoint, int);
@@ -267,7 +276,7 @@ public:
 
   ///@{
   /**
-   * Online: number of training epochs. At least 0. Default is 80, as in the paper.
+   * Number of training epochs in online learning. At least 0. Default is 80, as in the paper.
    */
   vtkSetClampMacro(NumberOfEpochs, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfEpochs, int);
@@ -275,8 +284,8 @@ public:
 
   ///@{
   /**
-   * Online: number of points drawn at random in one epoch. At least 1. Default is 8000, as in the
-   * paper.
+   * Number of points drawn at random in one epoch of online learning. At least 1. Default is 8000,
+   * as in the paper.
    */
   vtkSetClampMacro(SamplesPerEpoch, int, 1, VTK_INT_MAX);
   vtkGetMacro(SamplesPerEpoch, int);
@@ -284,10 +293,10 @@ public:
 
   ///@{
   /**
-   * Online: the paper's constants (sigma_0, tau_1, alpha_0, tau_2). sigma_0 and tau_1 define the
-   * size of the neighborhood, the part of the sphere whose neurons learn from one point. alpha_0
-   * and tau_2 define the learning rate. alpha_0 is in [0, 1), and the others are positive. Default
-   * is (0.4, 20, 0.01, 60).
+   * Constants of online learning in the paper (sigma_0, tau_1, alpha_0, tau_2). sigma_0 and tau_1
+   * define the size of the neighborhood, the part of the sphere whose neurons learn from one point.
+   * alpha_0 and tau_2 define the learning rate. alpha_0 is in [0, 1), and the others are positive.
+   * Default is (0.4, 20, 0.01, 60).
    *
    * Let t be the number of the epoch, and d a distance on the unit sphere. The neighborhood
    * function is h(d) = exp(-d^2 / (2 sigma(t)^2)) with sigma(t) = sigma_0 exp(-t / tau_1). The
@@ -299,8 +308,8 @@ public:
 
   ///@{
   /**
-   * Batch: number of iterations of the least-squares fit after learning. For an adaptive mesh, up
-   * to half of these iterations precede the last remeshing. At least 0. Default is 10.
+   * Number of iterations of the least-squares fit after batch learning. For an adaptive mesh, up to
+   * half of these iterations precede the last remeshing. At least 0. Default is 10.
    */
   vtkSetClampMacro(FitIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(FitIterations, int);
@@ -308,9 +317,10 @@ public:
 
   ///@{
   /**
-   * Batch: weight of the smoothness (Laplacian) term in the least-squares fit, relative to the mean
-   * weight of the input points of a neuron. At least 0. Default is 0.01. Larger values smooth
-   * noise. If noise is detected in the points, the filter increases the weight.
+   * Weight of the smoothness (Laplacian) term in the least-squares fit of batch learning. The unit
+   * is the total weight of the input points near a neuron, averaged over all neurons. At least 0.
+   * Default is 0.01. Larger values smooth noise. If noise is detected in the points, the filter
+   * increases the weight.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -321,8 +331,8 @@ public:
    * Surface from which an adaptive mesh is learned, if input port 1 has no mesh. SPHERE: the unit
    * sphere. HULL: a closed hull around the points. MESH: the input's polygons. AUTOMATIC (default):
    * the input's polygons if they form one closed surface of genus zero through all points,
-   * otherwise the sphere. If the mesh then has webs (spurious membranes) between limbs or hole
-   * fillings, or is bad otherwise, it is learned again from a hull.
+   * otherwise the sphere. If the learned mesh has webs (spurious membranes) between limbs, fillings
+   * of holes, or other defects, it is learned again from a hull.
    *
    * If several meshes are learned, the best mesh is kept. The field data "UncoveredFraction",
    * "InvertedFraction" and "FoldedFraction" measure the defects of a mesh. A geodesic mesh is not
@@ -333,12 +343,12 @@ public:
    * With MESH, it is an error if the polygons do not form a closed surface of genus zero. Points
    * that belong to no polygon are left out with a warning. With AUTOMATIC, polygons that do not
    * form a closed surface of genus zero only provide normals, see HullMethod. With several
-   * processes, polygons are used only if one process has the whole input. If several processes have
-   * points, MESH is an error, and AUTOMATIC gives a warning.
+   * processes, polygons are used only if one process has all points. If the points are spread over
+   * several processes, MESH is an error, and AUTOMATIC gives a warning.
    *
-   * Small webs can be detected only in the fitted mesh. If more than 0.1 % of the fitted mesh's
-   * area has no points nearby, the mesh is learned again from a hull. The second learning doubles
-   * the time.
+   * Small webs can be detected only in the fitted mesh. With AUTOMATIC, the mesh is learned again
+   * from a hull if more than 0.1 % of the fitted mesh's area has no points nearby. The second
+   * learning doubles the time.
    */
   vtkSetClampMacro(StartingShape, int, AUTOMATIC, MESH);
   vtkGetMacro(StartingShape, int);
@@ -350,16 +360,17 @@ public:
 
   ///@{
   /**
-   * Batch: method by which the hull of the points is made, if learning starts from a hull. The
-   * method classifies space as inside or outside of the points, as the Method of vtkGenusZeroHull.
-   * DISTANCE: by the distance to the points. WINDING_NUMBERS: by winding numbers of the points, for
-   * scans with large holes, hidden sides or noise. AUTOMATIC_METHOD (default): as AUTOMATIC of
-   * vtkGenusZeroHull; a bad adaptive mesh is learned again from the hull by the other method, and
-   * the better mesh is kept.
+   * Method by which the hull of the points is made, if batch learning starts from a hull. The
+   * method classifies space as inside or outside of the points. DISTANCE: by the distance to the
+   * points. WINDING_NUMBERS: by winding numbers of the points, for scans with large holes, hidden
+   * sides or noise. AUTOMATIC_METHOD (default): by the distance, or by winding numbers if the
+   * result by distance seems wrong. If the adaptive mesh is bad, it is also learned from the hull
+   * by the other method, and the better mesh is kept.
    *
-   * If most points of the input belong to a polygon, winding numbers use the normals of the
-   * polygons, consistently oriented. Otherwise they use the active normals of the input. If there
-   * are no normals, or if normals contradict each other, normals are estimated from the points.
+   * The methods are those of the property Method of vtkGenusZeroHull. If most points of the input
+   * belong to a polygon, winding numbers use the normals of the polygons, consistently oriented.
+   * Otherwise they use the active normals of the input. If there are no normals, or if normals
+   * contradict each other, normals are estimated from the points.
    */
   vtkSetClampMacro(HullMethod, int, AUTOMATIC_METHOD, WINDING_NUMBERS);
   vtkGetMacro(HullMethod, int);

@@ -2,10 +2,11 @@
  * @class   vtkCurvedSeamlessMap
  * @brief   evaluate a curved seamless surface (CSS) anywhere, with derivatives and the inverse map
  *
- * Evaluate, in any direction, the surface of which vtkCurvedSeamlessSurface outputs samples.
- * ToSurface() maps a direction, a point of the unit sphere, to the corresponding point of the
- * surface and its normal. Differentiate() computes derivatives, metric tensors and area elements.
- * ToSphere() maps a point near the surface to its direction. No pipeline is needed.
+ * The filter vtkCurvedSeamlessSurface samples a smooth, closed surface in finitely many directions.
+ * This class evaluates the surface in any direction. A direction is a point of the unit sphere.
+ * ToSurface() maps a direction to the corresponding point of the surface and its normal.
+ * Differentiate() computes derivatives, metric tensors and area elements. ToSphere() maps a point
+ * near the surface to the direction of the closest point of the surface. No pipeline is needed.
  *
  * Build() needs a vtkPolyData, a closed surface of genus zero from vtkConformalSOM or any other
  * source. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
@@ -21,7 +22,8 @@
  *
  * The surface is made by the CSS algorithm of Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
  * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008), with
- * Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
+ * Schwarz-Christoffel maps (Eqs. 4 and 5) between each flat triangle in space and the flat triangle
+ * of its corners on the sphere.
  *
  * Implementation note: a dome is the curved patch that replaces a flat triangle. In the published
  * algorithm, the maps of two neighboring triangles differ along their common edge. Published domes

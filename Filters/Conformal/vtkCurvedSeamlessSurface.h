@@ -37,18 +37,20 @@
  * - point array "Supported" (double, 1 component), only if input port 0 has this array: the
  *   interpolated values. vtkConformalSOM describes the array.
  * - cell array "Degenerate" (unsigned char): 1 for triangles in a degenerate triangle of input port
- *   0, otherwise 0. If Sampling is NETWORK, these are the parts of the degenerate triangle.
- *   Otherwise they are all triangles with at least one point in the degenerate triangle.
+ *   0, otherwise 0. NumberOfDegeneratePatches, below, defines degenerate triangles. If Sampling is
+ *   NETWORK, the value is 1 for each part of a degenerate triangle. Otherwise it is 1 for each
+ *   triangle with at least one point in a degenerate triangle.
  * - field array "NumberOfDegeneratePatches" (vtkIdType): number of degenerate triangles of input
- *   port 0, for which the usual construction of the map or the dome (see DomeHeight) fails. If the
- *   number is not 0, there is a warning. A triangle without area in space or on the sphere is
- *   mapped affinely. If DomeHeight is CURVATURE or FITTED, a dome that would fold over is replaced
- *   by the flat triangle. If DomeHeight is PUBLISHED or SCALED, triangles whose normal is opposite
- *   to that of a neighbor are also counted.
+ *   port 0, for which the usual construction of the map or the dome (curved patch, see DomeHeight)
+ *   fails. If the number is not 0, there is a warning. A triangle without area in space or on the
+ *   sphere is mapped affinely. If DomeHeight is CURVATURE or FITTED, a dome that would fold over is
+ *   replaced by the flat triangle. If DomeHeight is PUBLISHED or SCALED, triangles whose normal is
+ *   opposite to that of a neighbor are also counted.
  *
  * The surface is computed by the algorithm in Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
  * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to
- * 11, with Schwarz-Christoffel maps between the flat triangles (Eqs. 4 and 5).
+ * 11, with Schwarz-Christoffel maps (Eqs. 4 and 5) between each flat triangle in space and the flat
+ * triangle of its corners on the sphere.
  *
  * Implementation note: a dome is the curved patch that replaces a flat triangle. In the published
  * algorithm, the maps of two neighboring triangles differ along their common edge. The published
@@ -137,12 +139,14 @@ public:
 
   ///@{
   /**
-   * DIRECTIONS: frequency f of the geodesic sphere that is used if input port 1 has no mesh. The
-   * surface has 10 f^2 + 2 points and 20 f^2 triangles. NETWORK with Subdivisions 0: the surface
-   * has at least 10 f^2 + 2 points. In [1, 1000]. Default is 80, which gives 64,002 points.
+   * Frequency f of a geodesic sphere (subdivided icosahedron). If Sampling is DIRECTIONS and input
+   * port 1 has no mesh, the surface has 10 f^2 + 2 points and 20 f^2 triangles. If Sampling is
+   * NETWORK and Subdivisions is 0, the surface has at least 10 f^2 + 2 points. In [1, 1000].
+   * Default is 80, which gives 64,002 points.
    *
-   * The input's mesh may be a geodesic sphere, too. If f is a multiple of its frequency, no
-   * triangle of the output crosses an edge of the input.
+   * The positions of the input's points on the sphere may themselves form a geodesic sphere. If f
+   * is a multiple of the frequency of that sphere, no triangle of the output crosses an edge of the
+   * input.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -150,10 +154,10 @@ public:
 
   ///@{
   /**
-   * NETWORK: number k of parts into which each edge of the input's mesh is divided. A mesh of N
-   * points and 2 N - 4 triangles gives (N - 2) k^2 + 2 points and (2 N - 4) k^2 triangles. 0
-   * (default): the smallest k that gives at least 10 f^2 + 2 points, where f is the Frequency. For
-   * a mesh of 12,962 points, this is k = 3, which gives 116,642 points. In [0, 100].
+   * Number k of parts into which each edge of the input's mesh is divided if Sampling is NETWORK. A
+   * mesh of N points and 2 N - 4 triangles gives (N - 2) k^2 + 2 points and (2 N - 4) k^2
+   * triangles. 0 (default): the smallest k that gives at least 10 f^2 + 2 points, where f is the
+   * Frequency. For a mesh of 12,962 points, this is k = 3, which gives 116,642 points. In [0, 100].
    */
   vtkSetClampMacro(Subdivisions, int, 0, 100);
   vtkGetMacro(Subdivisions, int);
@@ -240,8 +244,9 @@ public:
 
   ///@{
   /**
-   * DomeHeight FITTED: number of rounds of the fit. Each round finds the point of the surface that
-   * is closest to each point of the cloud, and then fits the surface. In [0, 100]. Default is 6.
+   * Number of rounds of the fit if DomeHeight is FITTED. Each round finds the point of the surface
+   * that is closest to each point of the cloud, and then fits the surface. In [0, 100]. Default is
+   * 6.
    */
   vtkSetClampMacro(NumberOfFitRounds, int, 0, 100);
   vtkGetMacro(NumberOfFitRounds, int);
@@ -249,16 +254,17 @@ public:
 
   ///@{
   /**
-   * DomeHeight FITTED: weight of the smoothness term, relative to the mean weight of the cloud's
-   * points at a vertex. In [0, 1000]. Default is 0.01. Larger values smooth noise.
+   * Weight of the smoothness term of the fit if DomeHeight is FITTED. The unit is the weight of the
+   * cloud's points at a vertex, averaged over all vertices. In [0, 1000]. Default is 0.01. Larger
+   * values smooth noise.
    */
   vtkSetClampMacro(FitSmoothness, double, 0.0, 1000.0);
   vtkGetMacro(FitSmoothness, double);
   ///@}
 
   /**
-   * Return the map of which the output of the last Update() consists of samples. Before the first
-   * Update(), the map is not built.
+   * Return the map that evaluates the surface in any direction. The output of the last Update()
+   * consists of samples of this map. Before the first Update(), the map is not built.
    */
   vtkCurvedSeamlessMap* GetMap();
 

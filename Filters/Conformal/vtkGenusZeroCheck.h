@@ -21,10 +21,11 @@
  * - "NumberOfBoundaryEdges": edges of only one triangle.
  * - "NumberOfBoundaryLoops": connected sets of boundary edges.
  * - "NumberOfNonManifoldEdges": edges of more than two triangles.
- * - "NumberOfNonManifoldVertices": vertices whose triangles form more than one fan.
+ * - "NumberOfNonManifoldVertices": vertices whose triangles form more than one fan (sequence of
+ *   triangles in which neighbors share an edge).
  * - "NumberOfComponents": connected parts of the surface.
- * - "NumberOfInconsistentEdges": edges that have the same direction in both of their triangles,
- *   which are thus oriented inconsistently.
+ * - "NumberOfInconsistentEdges": edges whose two triangles are oriented inconsistently: the edge
+ *   has the same direction in both.
  * - "NumberOfDegenerateTriangles": triangles with a repeated point or without area. Triangles with
  *   a repeated point are left out of all other numbers.
  * - "NumberOfIsolatedPoints": points that belong to no triangle.

@@ -9,13 +9,14 @@
  *
  * Input port 0: vtkPointSet, points in any sequence. Points with non-finite coordinates are left
  * out with a warning, and hidden or duplicate ghost points without a warning. Cells and normals are
- * used only to compute winding numbers, see Method.
+ * used only to compute winding numbers (about 1 inside of the points, 0 outside), see Method.
  *
  * Output port 0: vtkPolyData, the hull: a closed triangle mesh of genus zero around the points, in
  * the coordinates of the input, double precision. Triangles are counter-clockwise seen from
- * outside. The hull bounds a set of nodes of a regular grid, which were classified as inside. With
- * DistributeOutput, the point array "GlobalPointIds" and the cell array "GlobalCellIds" (vtkIdType)
- * are the active global ids. Field data (one value each; lengths in units of the coordinates):
+ * outside. The filter classifies each node of a regular grid as inside or outside of the points.
+ * The hull is the boundary of the set of inside nodes. If DistributeOutput is on, the point array
+ * "GlobalPointIds" and the cell array "GlobalCellIds" (vtkIdType) are the active global ids. Field
+ * data (one value each; lengths in units of the coordinates):
  * - "AffineRank" (idtype): dimension of the space that the points span: 3 in general, 2 for points
  *   in a plane, 1 for points on a line, 0 for equal points.
  * - "Method" (idtype): value of the property Method by which this hull was made, DISTANCE or
@@ -24,33 +25,34 @@
  * - "NormalsUsed" (idtype): 1 if the winding numbers were computed with normals of the input.
  * - "KernelWidth" (double): radius over which winding numbers were averaged, which is larger for
  *   noisy points; 0 for DISTANCE.
- * - "GridSpacing" (double): distance between neighboring nodes of the grid. The distance is given
- *   by Spacing. If the points are too far apart for this spacing, it is doubled until the grid is
- *   suitable.
+ * - "GridSpacing" (double): distance between neighboring nodes of the grid. The distance is that of
+ *   the property Spacing. If the points are too far apart for this distance, the distance is
+ *   doubled until the grid is suitable.
  * - "NumberOfInsideNodes" (idtype): number of grid nodes inside. For DISTANCE, only nodes farther
  *   from the points than the Offset are counted. 0 means that the points enclose nothing.
  * - "SolidEulerNumber" (idtype): Euler number of the solid inside the hull before its handles were
  *   cut: 1 minus the number of handles.
  * - "NumberOfCutNodes" (idtype): number of grid nodes removed from the solid to cut handles, or
- *   added to it to fill them.
+ *   added to the solid to fill the openings of handles.
  * - "HoleWidth", "HoleDepth" (double): size of the largest hole in the data that was closed.
  *   HoleWidth is the distance from the middle of the hole to the nearest point, about the radius of
- *   the hole. HoleDepth is the largest distance to the nearest point in the space behind the hole.
- *   The closer the two values are, the less certain is the classification of that space as inside.
- *   Both are 0 without a hole, and for WINDING_NUMBERS.
- * - "Leaks" (idtype): 1 if a hole in the data is about as wide as the space behind it. Almost
- *   nothing is then inside by the rule of Persistence, and the most likely part of space was chosen
- *   as inside.
+ *   the hole. Each position in the space behind the hole has a distance to the nearest point;
+ *   HoleDepth is the largest of these distances. If HoleWidth and HoleDepth are nearly equal, the
+ *   classification of that space as inside is uncertain. Both values are 0 if there is no hole, and
+ *   for WINDING_NUMBERS.
+ * - "Leaks" (idtype): 1 if a hole in the data is about as wide as the space behind it. By the
+ *   property Persistence alone, almost nothing would then be inside. The filter instead chose the
+ *   part of space that is most likely inside.
  * - "NumberOfPointsOutside" (idtype): number of points outside of the hull and not near it:
- *   outliers, and points apart from the largest connected piece.
+ *   outliers, and points apart from the largest connected part of the object.
  * - "NumberOfPointsInside" (idtype): number of points inside the hull and not near its surface:
  *   inner parts of the object, and outliers.
  *
- * There is one warning each for the following cases:
+ * There is one warning for each of the following cases:
  * - The points enclose nothing, or Leaks is 1.
- * - A handle can be cut only through the inside of the object or through its points. Then the
- *   object is not of genus zero, or parts of it touch. Limbs that are joined only because they are
- *   closer than twice the Offset cause no warning.
+ * - A handle can be cut only through the inside of the object or through its points. The cause is
+ *   an object that is not of genus zero, or whose parts touch. There is no warning for limbs that
+ *   the hull joins only because they are closer than twice the Offset.
  * - More than 0.5 % of the points are outside of the hull and not near it.
  * - More than 0.5 % of the points are inside the hull and not near its surface.
  *
@@ -60,15 +62,15 @@
  * zero. This filter makes such a surface without webs between limbs.
  *
  * DISTANCE computes the distance to the points at each node of a grid. It extracts the surface at a
- * small distance from the points, the Offset. A hole in the data is closed if the space behind it
- * is wider than the hole by the factor Persistence. The space behind the hole is then inside. Limbs
- * closer than twice the Offset are first joined, and then separated in the middle between them.
+ * small distance from the points, the Offset. A hole in the data is closed if the space behind the
+ * hole is wider than the hole by the factor Persistence. That space is then inside. Limbs closer
+ * than twice the Offset are first joined, and then separated in the middle between them.
  *
  * WINDING_NUMBERS computes, at each node of a grid, the winding number of the points with their
  * normals: about 1 inside and 0 outside. The surface passes through the points, or through the
  * middle of their noise. A hole in the data is closed by a smooth continuation of the surface
- * around it. Normals are those of the input, or are found by steepest descent (S. Lin and others,
- * 2022 and 2024; see Documentation/references.bib).
+ * around the hole. Normals are those of the input, or are estimated from the points by steepest
+ * descent (S. Lin and others, 2022 and 2024; see Documentation/references.bib).
  *
  * @sa
  * vtkConformalSOM vtkGenusZeroCheck vtkSurfaceMismatch
@@ -101,14 +103,21 @@ public:
    * Method that classifies space as inside or outside. DISTANCE (default): by the distance to the
    * points, which closes holes smaller than the space behind them. WINDING_NUMBERS: by winding
    * numbers of all points, for scans with large holes, hidden sides or noise. AUTOMATIC: by the
-   * distance; if the result seems wrong, by winding numbers, unless their result also seems wrong.
+   * distance. If the result seems wrong, AUTOMATIC uses winding numbers, unless their result also
+   * seems wrong.
    *
    * Winding numbers use the normals of the input's polygons, or the active normals if there are no
    * polygons. Inward normals are reversed. If the input has no normals, they are estimated from the
    * points. If the input's normals contradict each other, normals are also estimated, with a
-   * warning. With AUTOMATIC, the result of the distance seems wrong in three cases: a hole is as
-   * wide as the space behind it, there are handles, or many points are outside. Winding numbers are
-   * used only if they find little noise. The test costs about one second on one thread.
+   * warning. With AUTOMATIC, the result by distance seems wrong in each of these cases:
+   * - A hole is as wide as the space behind the hole (Leaks).
+   * - The points enclose nothing.
+   * - The object has handles.
+   * - More than 0.5 % of the points are outside and not near the hull.
+   *
+   * The hull by winding numbers then replaces the hull by distance if it has no handles, leaves out
+   * few points, and finds little noise. If Leaks is 1, the noise does not matter. To compute the
+   * hull by winding numbers costs about one second on one thread.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC, WINDING_NUMBERS);
   vtkGetMacro(Method, int);
@@ -135,7 +144,7 @@ public:
 
   ///@{
   /**
-   * DISTANCE: distance of the surface from the points, in units of the grid spacing.
+   * Distance of the surface from the points if Method is DISTANCE, in units of the grid spacing.
    * WINDING_NUMBERS does not use this property, since its surface passes through the points. In
    * [0.9, 10]. Default is 1.
    */
@@ -145,9 +154,9 @@ public:
 
   ///@{
   /**
-   * DISTANCE: factor by which the space behind a hole in the data must be wider than the hole, so
-   * that the hole is closed. Other holes stay open: the space behind them is outside. In [1.1, 10].
-   * Default is 1.5.
+   * Minimum ratio between the width of the space behind a hole in the data and the width of the
+   * hole. Used only if Method is DISTANCE. Holes with at least this ratio are closed. Other holes
+   * stay open: the space behind them is outside. In [1.1, 10]. Default is 1.5.
    */
   vtkSetClampMacro(Persistence, double, 1.1, 10.0);
   vtkGetMacro(Persistence, double);

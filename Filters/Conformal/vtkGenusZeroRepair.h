@@ -3,9 +3,9 @@
  * @brief   remove handles, small holes and separate parts from a mesh, and change nothing else
  *
  * Repair a triangle mesh so that it is a closed surface of genus zero. The filter keeps the largest
- * connected part of the mesh and fills its holes. It cuts each handle along a short loop around the
- * handle or through it. Remaining triangles are not changed. The second output has the loops. The
- * field data report each repair.
+ * connected part of the mesh and fills its holes. It cuts each handle along a short loop, which
+ * runs around the handle or through its opening. Remaining triangles are not changed. The second
+ * output has the loops. The field data report each repair.
  *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
  * ignored.
@@ -27,16 +27,18 @@
  * - "LoopType" (vtkIdType): 0 (FILLED_HOLE) for the boundary of a hole that was filled; 1
  *   (OPEN_HOLE) for the boundary of a hole that was too large to be filled; 2 (CUT_HANDLE) for a
  *   loop around a handle that was cut through; 3 (FILLED_TUNNEL) for a loop around the opening of a
- *   handle that was filled.
+ *   handle; the opening was filled.
  * - "LoopLength" (double): length of the loop.
- * - "LoopAreaFraction" (double): area of the filling, as a fraction of the area of the surface.
+ * - "LoopAreaFraction" (double): area of the filling, as a fraction of the area of the surface. For
+ *   a hole that was left open, it is the area that the filling would have.
  *
  * Field data of port 0 (one value each, vtkIdType unless noted):
  * - "IsGenusZero": 1 if the output is a closed surface of genus zero, as in vtkGenusZeroCheck; 0 if
  *   a hole was left open.
  * - "EulerNumber": Euler number of the output.
- * - "NumberOfHandlesCut", "NumberOfTunnelsFilled": numbers of handles that were removed in either
- *   way. The sum of both is the number of handles of the input.
+ * - "NumberOfHandlesCut", "NumberOfTunnelsFilled": number of handles that were cut through, and
+ *   number of handles whose openings were filled. The sum of both is the number of handles of the
+ *   input's largest part.
  * - "NumberOfBoundariesFilled", "NumberOfBoundariesLeft": numbers of holes that were filled and
  *   that were left open.
  * - "NumberOfPartsRemoved", "NumberOfTrianglesRemoved", "RemovedAreaFraction" (double): number of
@@ -46,8 +48,8 @@
  * - "NumberOfTrianglesTurned": number of triangles that were reversed for a consistent orientation.
  * - "NumberOfTrianglesDropped": number of dropped triangles: those with a repeated point, and
  *   duplicates.
- * - "NumberOfEdgesSeparated": number of edges of more than two triangles, which were split into
- *   edges of at most two.
+ * - "NumberOfEdgesSeparated": number of edges that belonged to more than two triangles. Each was
+ *   split into edges of at most two triangles.
  * - "NumberOfTrianglesAdded": number of triangles that fill holes and cuts.
  * - "UntouchedFraction" (double): fraction of the input's triangles that are in the output.
  * - "RepairReport" (string): one line for each repair that was made, and for each hole that was
@@ -58,11 +60,11 @@
  *
  * The repair is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)), whose method needs
- * surfaces of genus zero. Each handle has loops around it and loops through it. The mesh is cut
- * along a shortest loop, and both sides of the cut are filled (Wood and others 2004). Loops are
- * found by the methods of Eppstein 2003 and of Erickson and Whittlesey 2005; see
- * Documentation/references.bib. Both fillings of a cut have the same positions. A program that
- * merges points by coordinates would therefore join the sides again.
+ * surfaces of genus zero. Each handle has loops around the handle, and loops through its opening.
+ * The mesh is cut along a short loop of either kind, and both sides of the cut are filled (Wood and
+ * others 2004). Loops are found by the methods of Eppstein 2003 and of Erickson and Whittlesey
+ * 2005; see Documentation/references.bib. Both fillings of a cut have the same positions. A program
+ * that merges points by coordinates would therefore join the sides again.
  *
  * @sa
  * vtkGenusZeroCheck vtkGenusZeroHull vtkGlobalConformalMap vtkFillHolesFilter

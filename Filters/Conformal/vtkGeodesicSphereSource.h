@@ -3,9 +3,9 @@
  * @brief   make a geodesic sphere, the mesh from which vtkConformalSOM starts
  *
  * Make a geodesic sphere: an icosahedron whose triangles are subdivided and projected onto the unit
- * sphere. With f the Frequency, the mesh has 10 f^2 + 2 points and 20 f^2 triangles. It is the
- * network of vtkConformalSOM before training. Its points are also in the point array
- * "SpherePosition".
+ * sphere. Let f be the Frequency. The mesh has 10 f^2 + 2 points and 20 f^2 triangles. The filter
+ * vtkConformalSOM learns a surface by moving the points of such a mesh. The point array
+ * "SpherePosition" also holds the points.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh of 10 f^2 + 2 points and 20 f^2 triangles,
  * where f is the Frequency. Points lie on the unit sphere around the origin. Triangles are
@@ -13,9 +13,10 @@
  * - point array "SpherePosition" (double, 3 components): the point itself, as a unit vector.
  * - point array "Normals" (double, 3 components): outward unit normals, equal to "SpherePosition".
  *
- * The mesh is the network space of the conformal self-organizing map, Eqs. 1 and 2 of C.-Y. Liou,
- * Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
- * Neurocomputing 71 (2008). With a higher Frequency, the mesh defines the directions in which
+ * The mesh defines the neurons (points) and their neighbors (edges) in the conformal
+ * self-organizing map, Eqs. 1 and 2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). A second geodesic
+ * sphere, usually of higher Frequency than the network of neurons, defines the directions in which
  * vtkCurvedSeamlessSurface samples a surface.
  *
  * @sa

@@ -10,12 +10,15 @@
  * triangles. Coincident points of open edges are merged, triangles are oriented consistently, and
  * points that belong to no triangle are dropped. Each kind of change causes a warning.
  *
- * Output port 0: the input, or, if the input was changed in one of these ways, its triangles, with
+ * Output port 0: the input, or only its triangles if one of the changes above was made, with
  * - point array "SpherePosition" (double, 3 components): position of the point on the unit sphere.
  *
- * Let a string constant be the weight of an edge in the harmonic energy: half the sum of the
- * cotangents of the two angles opposite to the edge. Field data (one value each):
- * - "Energy" (double): harmonic energy of the map. 4 pi means conformal.
+ * The harmonic energy measures how far a map is from conformal. It is half the sum over all edges
+ * of a weight times the squared length of the edge on the sphere. The weight, called the string
+ * constant, is half the sum of the cotangents of the two angles opposite to the edge. Field data
+ * (one value each):
+ * - "Energy" (double): harmonic energy of the map; 4 pi for a conformal map, larger for any other
+ *   map.
  * - "NumberOfIterations" (vtkIdType): number of steps if Method is GUYAU, or number of linear
  *   solves if Method is ROBUST.
  * - "Converged" (vtkIdType): 1 if no triangle is flipped. If Method is GUYAU, two more conditions
@@ -23,10 +26,10 @@
  *   infinite.
  * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles that are flipped or have no area on
  *   the sphere, by exact arithmetic.
- * - "SphereMapTier" (vtkIdType): algorithm by which ROBUST succeeded. 0: linear equations were
- *   sufficient. 1: folded triangles were also repaired locally. 2: vertices were inserted one by
- *   one without folds. Tier 2 is used if AreaBalance is above 0, or if triangles of the conformal
- *   map are too small for double precision.
+ * - "SphereMapTier" (vtkIdType): number of the algorithm by which ROBUST succeeded. 0: linear
+ *   equations were sufficient. 1: folded triangles were also repaired locally. 2: vertices were
+ *   inserted one by one without folds. Algorithm 2 is used if AreaBalance is above 0, or if
+ *   triangles of the conformal map are too small for double precision.
  * - "NumberOfNegativeStringConstants" (vtkIdType): number of edges whose opposite angles add up to
  *   more than 180 degrees.
  * - "NumberOfInfiniteStringConstants" (vtkIdType): number of edges of triangles without area.
@@ -34,13 +37,14 @@
  * Section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
  * seamless surface", Neurocomputing 71 (2008), compares its method with the global conformal
  * parameterization of X. Gu, S.-T. Yau. GUYAU is this parameterization, with the failures that the
- * paper shows. Obtuse triangles cause negative string constants and folds. Triangles without area
- * cause infinite string constants. ROBUST maps every surface one to one.
+ * paper shows. Obtuse triangles can cause negative string constants, and thus folds. Triangles
+ * without area cause infinite string constants, which GUYAU ignores. ROBUST maps every surface one
+ * to one.
  *
- * A conformal map is unique up to a Moebius transform. ROBUST chooses the transform so that the
- * mean of the sphere positions, weighted by area on the surface, is the center of the sphere.
- * ROBUST then rotates the sphere so that positions on the sphere agree best with directions from
- * the middle of the surface.
+ * A conformal map is unique up to a Moebius transform, a conformal map of the sphere to itself.
+ * ROBUST chooses the transform so that the mean of the sphere positions, weighted by area on the
+ * surface, is the center of the sphere. ROBUST then rotates the sphere so that positions on the
+ * sphere agree best with directions from the middle of the surface.
  *
  * @note In a conformal map, a limb becomes exponentially smaller with its length. Keep
  * SpherePosition in double precision. If a program converts the map to float, triangles may appear
@@ -83,9 +87,9 @@ public:
 
   ///@{
   /**
-   * ROBUST only: trade-off between a conformal map (0) and a map that nearly preserves areas (1).
-   * With larger values, limbs get a larger part of the sphere, but angles are distorted more. In
-   * [0, 1]. Default is 0.
+   * Trade-off between a conformal map (0) and a map that nearly preserves areas (1). Used only by
+   * ROBUST. With larger values, limbs get a larger part of the sphere, but angles are distorted
+   * more. In [0, 1]. Default is 0.
    */
   vtkSetClampMacro(AreaBalance, double, 0.0, 1.0);
   vtkGetMacro(AreaBalance, double);
@@ -93,7 +97,7 @@ public:
 
   ///@{
   /**
-   * GUYAU only: maximum number of steps in each of the two phases. At least 0. Default is 5000.
+   * Maximum number of steps in each of the two phases of GUYAU. At least 0. Default is 5000.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -101,8 +105,8 @@ public:
 
   ///@{
   /**
-   * GUYAU only: a phase ends when the relative change of the energy in one step is below this
-   * value. In [0, 1]. Default is 1e-7.
+   * Threshold for the relative change of the energy in one step of GUYAU. A phase ends when the
+   * change is below this value. In [0, 1]. Default is 1e-7.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);

@@ -2,10 +2,11 @@
  * @class   vtkSphericalTextureBlend
  * @brief   blend a picture of the front and one of the back into an image of the sphere
  *
- * Blend two pictures of an object into one image of the sphere, for the texture coordinates of
- * vtkSphericalTextureMap. The projection of that filter should cover the whole sphere (any but
- * STEREOGRAPHIC). The middle of the front picture faces the ViewDirection of that filter. The
- * pictures fade into each other in a band around the equator between front and back.
+ * Blend two pictures of an object into one image of the sphere. The image is a texture for the
+ * texture coordinates that vtkSphericalTextureMap computes. Set the Projection of that filter to
+ * one that covers the whole sphere (any but STEREOGRAPHIC). The middle of the front picture faces
+ * the ViewDirection of that filter. The pictures fade into each other in a band around the equator
+ * between front and back.
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
  * "SpherePosition" (3 components). Its field data define the placement of the image on the sphere.
@@ -25,11 +26,11 @@
  * Each picture is mapped to its side of the surface by stereographic projection, section 4.2 of
  * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
  * Neurocomputing 71 (2008). The pole of a picture is the point of the sphere at its middle. The
- * pictures fade into each other around the curve on which both poles are equally distant. If the
- * poles are opposite, this curve is the equator between them.
+ * pictures fade into each other around a curve, whose points have equal distances from both poles.
+ * If the poles are opposite, this curve is the equator between them.
  *
- * Implementation note: the paper uses one picture. Here the second picture covers the border of the
- * first and the region behind it.
+ * Implementation note: the paper uses one picture. Here a second picture covers the part of the
+ * sphere that the first picture does not show, and the border between.
  *
  * @sa
  * vtkSphericalTextureMap vtkSphericalTextureImage

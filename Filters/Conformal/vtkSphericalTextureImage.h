@@ -3,18 +3,19 @@
  * @brief   bake colors or other point data of a surface into an image of the sphere
  *
  * Make an image from the colors or another point array of a surface. With the texture coordinates
- * of vtkSphericalTextureMap, the image shows these values on the surface. Save the image as PNG,
- * and load it as a Texture. The point array OutsideSurface of the image is 1 where the map to the
- * sphere has a hole.
+ * that vtkSphericalTextureMap computes, this image is a texture that shows the values on the
+ * surface. Save the image as PNG, and load it as a Texture. The point array OutsideSurface of the
+ * image is 1 where the map to the sphere has a hole.
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
  * "SpherePosition" (3 components). Its field data define the placement of the image on the sphere.
  * The surface may be cut along seams (SplitSeam). Polygons and strips are treated as triangles.
  *
- * Input port 1, optional: vtkPointSet, the source of the values, which replaces the surface as the
- * source. If the source is a vtkPolyData with triangles, a pixel gets the value at the closest
- * point on these triangles. Otherwise it gets the value of the closest point of the source. The
- * image can thus show all colors of a scan on a mesh with far fewer points.
+ * Input port 1, optional: vtkPointSet, the source of the values. Without this input, the values are
+ * those of the surface. Each pixel shows a point of the surface. The pixel gets the value of the
+ * source at the position closest to this point. If the source is a vtkPolyData with triangles, this
+ * is a position on the triangles, otherwise one of the points. The image can thus show all colors
+ * of a scan on a mesh with far fewer points.
  *
  * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the texture
  * coordinates (s, t) of its middle.
@@ -24,7 +25,7 @@
  *   hole, otherwise 0. In holes, the baked values are 0.
  *
  * With several processes (Controller), each process has a piece of the source, which may be empty.
- * The surface is that of the first process that has one, and this process must have the whole
+ * The surface is that of the first process with a surface. This process must have the whole
  * surface. Each process gets the whole image. The image is equal bit by bit for any number of
  * processes. The points of a source without triangles remain on their process; triangles of a
  * source are gathered on each process. Without a source, each process bakes its local surface.
@@ -64,9 +65,9 @@ public:
 
   ///@{
   /**
-   * Set the source of the values, such as the colored scan from which the surface was learned. A
-   * pixel gets the value at the closest point of the source. Without this input, the surface is the
-   * source.
+   * Set the source of the values, such as the colored scan from which the surface was learned. Each
+   * pixel shows a point of the surface, and gets the value of the source at the position closest to
+   * this point. Without this input, the values are those of the surface.
    */
   void SetSourceConnection(vtkAlgorithmOutput* algOutput);
   void SetSourceData(vtkPointSet* source);

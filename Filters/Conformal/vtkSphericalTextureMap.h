@@ -3,9 +3,10 @@
  * @brief   compute texture coordinates from a map to the sphere, for a chosen view
  *
  * Compute texture coordinates of a surface from its map to the sphere, and make them active. If a
- * picture is loaded as Texture in the Display section, its middle then faces the ViewDirection.
- * STEREOGRAPHIC is the projection of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
- * Neurocomputing 71 (2008). The three other projections show the whole sphere in one image.
+ * picture is the texture of the surface (in ParaView: Texture in the Display section), the middle
+ * of the picture faces the ViewDirection. STEREOGRAPHIC is the projection of section 4.2 of C.-Y.
+ * Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). The three other projections show the
+ * whole sphere in one image.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
  * Polygons and strips are treated as triangles.
@@ -31,18 +32,19 @@
  *   FieldOfView, Margin and Scale.
  *
  * The pole is the point of the sphere at the middle of the image. A view of the model determines
- * the pole. Stereographic projection maps the image to the sphere, and the inverse of the surface's
- * map continues to the surface: section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). Stereographic
- * projection is conformal, and enlarges areas least near the pole.
+ * the pole. Stereographic projection maps the image to the sphere. The inverse of the surface's map
+ * then maps the sphere to the surface. This is the texture mapping in section 4.2 of C.-Y. Liou,
+ * Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
+ * Neurocomputing 71 (2008). Stereographic projection is conformal, and enlarges areas least near
+ * the pole.
  *
  * Implementation note: the paper does not specify how a view determines the pole and the rotation
  * of the image. Here the line of sight passes through the centroid of the surface's area. The pole
  * is the position on the sphere of the first intersection of this line with the surface. If there
  * is no intersection, the vertex nearest to the viewer defines the pole. With UseViewPoint, the
- * point of the surface closest to ViewPoint defines the pole. For the viewer, the image is upright
- * and not mirrored. This holds on average over a cap around the pole, whose radius is an eighth of
- * FieldOfView.
+ * point of the surface closest to ViewPoint defines the pole. For the viewer, the image is not
+ * mirrored. Before Rotation, the image is also upright for the viewer, on average over a cap around
+ * the pole. The radius of the cap is an eighth of FieldOfView.
  *
  * @sa
  * vtkSphericalTextureImage vtkCurvedSeamlessSurface vtkConformalSOM vtkTextureMapToSphere
@@ -146,9 +148,9 @@ public:
 
   ///@{
   /**
-   * Factors by which the width and the height of the image are scaled about its middle. Use (1.5,
-   * 1) for a picture whose sides have the ratio 3 : 2, so that it is not distorted. In [0.001,
-   * 1000]. Default is (1, 1).
+   * Factors by which the width and the height of the image are scaled about its middle. For
+   * example, use (1.5, 1) for a picture with the ratio 3 : 2 of width to height. The picture is
+   * then not distorted. In [0.001, 1000]. Default is (1, 1).
    */
   vtkSetVector2Macro(Scale, double);
   vtkGetVector2Macro(Scale, double);
@@ -180,13 +182,14 @@ public:
 
   ///@{
   /**
-   * Whether to cut the surface along the projection's seams and folds, and along the image's
-   * borders. Without cuts, triangles that cross a seam show a large part of the image squeezed or
-   * mirrored. With cuts, the output consists of triangles and is not a closed mesh. Default is off.
+   * Whether to cut the surface along the projection's seams (where the image is discontinuous) and
+   * folds (where the image is not smooth), and along the image's borders. Without cuts, triangles
+   * that cross a seam show a large part of the image squeezed or mirrored. With cuts, the output
+   * consists of triangles and is not a closed mesh. Default is off.
    *
-   * With cuts, points on them are duplicated for each side, and "OutsideImage" is equal at all
-   * corners of a triangle. With STEREOGRAPHIC, the region within 10 degrees of the point opposite
-   * to the pole is then outside of the image.
+   * Points on a cut are duplicated, so that each side of the cut has its own points. With cuts,
+   * "OutsideImage" is equal at all corners of a triangle. With STEREOGRAPHIC, the region within 10
+   * degrees of the point opposite to the pole is then outside of the image.
    */
   vtkSetMacro(SplitSeam, bool);
   vtkGetMacro(SplitSeam, bool);

@@ -3,7 +3,7 @@
  * @brief   measure the distances between a model surface and its reference, in both directions
  *
  * Measure the distance of each point of a surface, the model, from a reference, and of each point
- * of the reference from the model. The distances are the point array Distance of both outputs. The
+ * of the reference from the model. Both outputs have the distances as the point array Distance. The
  * field data of the first output hold mean square distances and the largest distance.
  * MeanSquarePointToSurface is the mismatch error E_mis of the paper.
  *
@@ -16,8 +16,8 @@
  * Output port 0: vtkPolyData, the model.
  *
  * Output port 1: vtkPolyData, the reference. Both outputs have
- * - point array "Distance" (double, 1 component): distance from the point to the other surface or
- *   cloud, in units of the coordinates.
+ * - point array "Distance" (double, 1 component): distance from a point of the model to the
+ *   reference, or from a point of the reference to the model, in units of the coordinates.
  *
  * Field data of output port 0 (double, one value each). All lengths except "LengthUnit" are in the
  * unit chosen by the property LengthUnit:

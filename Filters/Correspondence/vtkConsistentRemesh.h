@@ -5,7 +5,7 @@
  * Resample several surfaces that are mapped to the sphere, so that all of them have the same
  * triangles and corresponding points. Points of two surfaces correspond if they have the same
  * position on the sphere, the point array "SpherePosition". The second output is the mean shape
- * with its principal components.
+ * with its principal components, the main differences between the shapes.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, as separate inputs or as blocks of
  * composite data, with the point array "SpherePosition". Polygons and strips are cut into
@@ -15,17 +15,18 @@
  *   cover the sphere exactly once. Either all maps mirror their surfaces, or no map does.
  *
  * Output port 0: vtkMultiBlockDataSet with one block for each surface, in the sequence of the
- * inputs, with the names of the input's blocks. A block is a vtkPolyData. The points of a block are
- * points of one surface, sampled in directions on the sphere that are equal for all blocks. Blocks
- * are not aligned. The polygons of all blocks are identical.
+ * inputs, with the names of the input's blocks. A block is a vtkPolyData. A direction is a point of
+ * the unit sphere. The points of a block are the points of one surface in a set of directions,
+ * which is the same for all blocks. The polygons of all blocks are identical. Blocks are not
+ * aligned.
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - the point arrays of the surface, interpolated as in vtkSphericalResample.
  * - field data "MeanSquarePointToSurface" (double): mean square distance between the points of the
  *   input surface and the block, as in vtkSurfaceMismatch. The unit of length is the largest
  *   distance of a point of the surface from its centroid.
  * - field data "ShapeScores" (double, one component per mode; absent if there are no modes):
- *   coordinates of the shape along the principal components, the modes. The unit is the standard
- *   deviation of the mode; the mean shape has the score 0.
+ *   coordinates of the shape along the principal components, called modes. The unit of a coordinate
+ *   is the standard deviation of the mode. The mean shape has the score 0.
  *
  * Output port 1: vtkPolyData, the mean shape on the same mesh, computed after Alignment of the
  * surfaces. The position and orientation of the mean shape are those of the first surface.
@@ -33,8 +34,8 @@
  * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement of
  *   each point of the mean shape for one standard deviation of a principal component. If all modes
  *   are kept, each aligned shape is the mean shape plus the sum of its scores times the modes.
- * - the point arrays that all surfaces have. A number is the mean over the surfaces; a label
- *   (integer array with 1 component) is the most frequent label.
+ * - the point arrays that all surfaces have. A value is the mean over the surfaces. In integer
+ *   arrays with 1 component (labels), it is the most frequent label.
  * - field data "ExplainedVariance" (double, one value per mode; absent if there are no modes):
  *   fraction of the variance of the shapes that the mode explains.
  *
@@ -79,9 +80,9 @@ public:
 
   ///@{
   /**
-   * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces, as in
-   * vtkAdaptiveSphere. The mesh of the sphere is then dense in regions that are large on a surface.
-   * GEODESIC: points are uniform over the sphere.
+   * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces,
+   * averaged over all surfaces. The mesh of the sphere is then dense in regions that are large on a
+   * surface. GEODESIC: points are uniform over the sphere.
    */
   vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -91,8 +92,8 @@ public:
 
   ///@{
   /**
-   * GEODESIC: frequency f of the geodesic sphere (vtkGeodesicSphereSource), which has 10 f^2 + 2
-   * points. In [1, 10000]. Default is 45: 20,252 points.
+   * Frequency f of the geodesic sphere (vtkGeodesicSphereSource) if MeshType is GEODESIC. The
+   * sphere has 10 f^2 + 2 points. In [1, 10000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 10000);
   vtkGetMacro(Frequency, int);
@@ -100,8 +101,8 @@ public:
 
   ///@{
   /**
-   * ADAPTIVE: number of points of the mesh. The actual number differs by at most 2 percent. In
-   * [500, 100000000]. Default is 20,000.
+   * Number of points of the mesh if MeshType is ADAPTIVE. The actual number differs by at most 2
+   * percent. In [500, 100000000]. Default is 20,000.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);

@@ -17,28 +17,30 @@
  *   sphere. Points with equal positions correspond. The map must cover the sphere exactly once.
  *   Either all maps mirror their surfaces, or no map does.
  *
- * Output port 0: vtkPolyData, the morphed surface, a closed triangle mesh. All surfaces are sampled
- * in the directions of one mesh of the sphere. A point of the output is the weighted sum of the
- * surfaces' points in one direction. If one surface has weight 1, the output is this surface,
- * sampled in these directions. The output is equal bit by bit for any number of threads.
- * - point array "SpherePosition" (double, 3 components): the directions. Images of the sphere, such
- *   as textures, fit the output as they fit the surfaces.
+ * Output port 0: vtkPolyData, the morphed surface, a closed triangle mesh. A direction is a point
+ * of the unit sphere. All surfaces are sampled in the directions given by the points of one mesh of
+ * the sphere. A point of the output is the weighted sum of the surfaces' points in one direction.
+ * If one surface has weight 1, the output is this surface, sampled in these directions. The output
+ * is equal bit by bit for any number of threads.
+ * - point array "SpherePosition" (double, 3 components): the directions. A texture that is an image
+ *   of the sphere fits the output as it fits the surfaces.
  * - every numeric point array that all surfaces have with the same name and number of components.
  *   Numbers are weighted sums, so that colors cross-fade. Labels (integer arrays with 1 component)
- *   are not mixed: a point gets the label of the largest total weight. vtkSphericalResample
- *   describes which arrays are labels.
+ *   are not mixed: a point gets the label of the largest total weight.
  *
  * Field data (double):
  * - "MorphWeights" (1 component, one value for each surface): the weights, whose sum is 1.
  *
- * With GenerateTimeSteps, the filter offers time steps from 0 to 1, and the requested time is the
- * MorphFactor. An animation thus plays the morph. The sampled surfaces do not depend on the factor.
- * The filter keeps the sampled surfaces until an input or a property of the mesh changes.
+ * If GenerateTimeSteps is on, the filter offers time steps from 0 to 1, and uses the requested time
+ * as MorphFactor. An animation thus plays the morph. The sampled surfaces do not depend on
+ * MorphFactor. The filter keeps the sampled surfaces until an input or a property of the mesh
+ * changes.
  *
- * Implementation note: RIGID interpolates deformation gradients of triangles as in D. Xu, H. Zhang,
- * Q. Wang, H. Bao, "Poisson shape interpolation", Graphical Models 68 (2006). RIGID propagates
- * rotations from triangle to triangle. A part may therefore rotate by more than 180 degrees
- * relative to the whole, but must rotate by less than 360 degrees.
+ * Implementation note: Path RIGID interpolates deformation gradients (linear maps between
+ * corresponding triangles) as in D. Xu, H. Zhang, Q. Wang, H. Bao, "Poisson shape interpolation",
+ * Graphical Models 68 (2006). RIGID propagates rotations from triangle to triangle. A part may
+ * therefore rotate by more than 180 degrees relative to the whole surface. The rotation must be
+ * less than 360 degrees.
  *
  * @sa
  * vtkSphericalAlignment vtkConsistentRemesh vtkSphericalResample vtkSphericalTextureMap
@@ -98,8 +100,8 @@ public:
   ///@{
   /**
    * Path of the points. LINEAR (default): points move along straight lines, so that rotating parts
-   * become smaller in between. RIGID: rotation and stretch of each triangle are interpolated, then
-   * a linear system joins the triangles. A rotating limb thus keeps its size.
+   * become smaller in the middle of the morph. RIGID: rotation and stretch of each triangle are
+   * interpolated, then a linear system joins the triangles. A rotating limb thus keeps its size.
    */
   vtkSetClampMacro(Path, int, LINEAR, RIGID);
   vtkGetMacro(Path, int);
@@ -109,9 +111,9 @@ public:
 
   ///@{
   /**
-   * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces, as in
-   * vtkAdaptiveSphere. The mesh of the sphere is then dense in regions that are large on a surface.
-   * GEODESIC: points are uniform over the sphere.
+   * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces,
+   * averaged over all surfaces. The mesh of the sphere is then dense in regions that are large on a
+   * surface. GEODESIC: points are uniform over the sphere.
    */
   vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -121,8 +123,8 @@ public:
 
   ///@{
   /**
-   * GEODESIC: frequency f of the geodesic sphere (vtkGeodesicSphereSource), which has 10 f^2 + 2
-   * points. In [1, 10000]. Default is 45: 20,252 points.
+   * Frequency f of the geodesic sphere (vtkGeodesicSphereSource) if MeshType is GEODESIC. The
+   * sphere has 10 f^2 + 2 points. In [1, 10000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 10000);
   vtkGetMacro(Frequency, int);
@@ -130,8 +132,8 @@ public:
 
   ///@{
   /**
-   * ADAPTIVE: number of points of the mesh. The actual number differs by at most 2 percent. In
-   * [500, 100000000]. Default is 20,000.
+   * Number of points of the mesh if MeshType is ADAPTIVE. The actual number differs by at most 2
+   * percent. In [500, 100000000]. Default is 20,000.
    */
   vtkSetClampMacro(NumberOfPoints, int, 500, 100000000);
   vtkGetMacro(NumberOfPoints, int);

@@ -4,15 +4,16 @@
  *
  * Deform the map of a surface to the sphere, its point array "SpherePosition". Corresponding points
  * of this surface and a second, fixed surface then have the same position on the sphere.
- * Corresponding points are found by landmarks, by point arrays, or by the shape of both surfaces.
- * No triangle of the map folds. The arrays TargetCellId, TargetPointIds and TargetBarycentric hold,
- * for each point, the corresponding point of the fixed surface.
+ * Corresponding points are found by landmarks (given pairs of points), by point arrays, or by the
+ * shape of both surfaces. No triangle of the map folds. The arrays TargetCellId, TargetPointIds and
+ * TargetBarycentric hold, for each point, the corresponding point of the fixed surface.
  *
  * Input port 0: vtkPolyData, the moving surface, whose map is deformed: closed, of genus zero, with
  * the point array "SpherePosition" (3 components). This map must cover the sphere once without
  * folds.
  *
- * Input port 1: vtkPolyData, the fixed surface, with the same requirements.
+ * Input port 1: vtkPolyData, the fixed surface: closed, of genus zero, with a map that fulfills the
+ * requirements of input port 0.
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the deformed map. Points of both surfaces
@@ -31,19 +32,21 @@
  * - "LandmarkError" (1 double): largest distance on the unit sphere between two corresponding
  *   landmarks, after the registration.
  * - "FeatureAgreement" (2 double): weighted mean of the correlations between the features of both
- *   surfaces, first before the registration, then after it. Features are described below.
+ *   surfaces. The first value is computed before the registration, and the second value after it.
+ *   Features are described below.
  * - "NumberOfFolds" (1 idtype): number of flipped triangles of the deformed map, by exact
  *   arithmetic.
  *
  * Features are numbers at the points of both surfaces that should be equal at corresponding points.
- * The filter computes five features from each surface: mean geodesic distance, nearby area at two
- * scales, and mean curvature at two scales. Point arrays added by AddFeature() are further
- * features. The filter first rotates the map. If there are two or more landmarks, they determine
- * the rotation. Otherwise the filter selects several rotations for which the features agree best.
- * The rotated maps are then deformed, and the result with the lowest score is kept. The score is
- * the sum of three penalties: stretch, disagreement of features, and difference of the shapes after
- * a rotation in space. The distances between corresponding landmarks are a further penalty. Mirror
- * images are never tried.
+ * The filter computes five features of each point. The first is the mean distance along the surface
+ * to all other points. Two features are the area of the surface near the point, at two scales. The
+ * last two are the mean curvature near the point, at two scales. Point arrays added by AddFeature()
+ * are further features. The filter first rotates the map. Two or more landmarks determine the
+ * rotation. With fewer landmarks, the filter selects several rotations for which the features agree
+ * best. The rotated maps are then deformed, and the result with the lowest score is kept. The score
+ * is the sum of four penalties: stretch, disagreement of features, difference of the shapes after
+ * the best rotation in space, and distances between corresponding landmarks. Mirror images are
+ * never tried.
  *
  * Landmarks are matched as closely as the map allows without folds. If some landmarks are not
  * matched, a warning states their number.
@@ -80,8 +83,8 @@ public:
   ///@{
   /**
    * Type of the transform of the map. ROTATION: a rotation, which preserves angles and areas.
-   * MOEBIUS: a Moebius transform, which preserves angles. DIFFEOMORPHIC (default): any smooth
-   * deformation without folds.
+   * MOEBIUS: a Moebius transform (conformal map of the sphere to itself), which preserves angles.
+   * DIFFEOMORPHIC (default): any smooth deformation without folds.
    */
   vtkSetClampMacro(SpaceOfTransforms, int, ROTATION, DIFFEOMORPHIC);
   vtkGetMacro(SpaceOfTransforms, int);
@@ -95,7 +98,7 @@ public:
    * Weight of the features that the filter computes from the shape of the surfaces. 0 disables
    * these features. In [0, 1000]. Default is 1.
    *
-   * The features are mean geodesic distance, nearby area, and mean curvature.
+   * The features are mean distance along the surface, nearby area, and mean curvature.
    */
   vtkSetClampMacro(ShapeWeight, double, 0.0, 1000.0);
   vtkGetMacro(ShapeWeight, double);

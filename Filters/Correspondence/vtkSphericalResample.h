@@ -5,8 +5,8 @@
  * Transfer the point arrays of one surface, the source, to another surface, the target. Points of
  * both surfaces correspond if they have the same position on the sphere, the point array
  * "SpherePosition". The maps must be aligned, as after vtkSphericalAlignment. Numbers and colors
- * are averaged. For labels and masks (integer arrays with 1 component), the value of the largest
- * weight is used.
+ * are averaged. For labels and masks (integer arrays with 1 component), the value with the largest
+ * total weight is used.
  *
  * Input port 0: vtkPolyData, the target: the surface that gets the arrays. This surface has the
  * point array "SpherePosition", or its points are on a sphere around the origin. Polygons and
@@ -24,7 +24,7 @@
  * target that have the same name are replaced. The source's "SpherePosition", active normals and
  * texture coordinates, ghost array, and global and pedigree ids are not transferred.
  * - integer arrays with 1 component are labels or masks. Each point gets the label with the largest
- *   total weight. If several labels have this weight, the smallest of them is used.
+ *   total weight. If several labels have the largest weight, the smallest label is used.
  * - all other arrays are numbers. Each point gets the weighted mean in the type of the array;
  *   integers such as colors are rounded. Values that are not finite are ignored. A point without
  *   finite values gets 0, and there is one warning for all such points.
@@ -34,9 +34,10 @@
  *
  * The output is equal bit by bit for any number of threads.
  *
- * Weights are those of Connectome Workbench. BARYCENTRIC is equal to the method BARYCENTRIC of that
- * program. AREA_ADAPTIVE is equal to its method ADAP_BARY_AREA with the two surfaces as area
- * surfaces. Labels are equal to those of its command -label-resample.
+ * Weights are those of Connectome Workbench, a program for brain surfaces. Method BARYCENTRIC is
+ * equal to BARYCENTRIC of Workbench. Method AREA_ADAPTIVE is equal to ADAP_BARY_AREA of Workbench,
+ * with the two surfaces as area surfaces. Labels are equal to those of the Workbench command
+ * -label-resample.
  *
  * If the source's map has folds, there is a warning, since values are discontinuous at folds.
  *
@@ -84,7 +85,8 @@ public:
   ///@{
   /**
    * Name of a mask, a point array of the source with 1 component. Points of the source with the
-   * value 0, such as those of a medial wall, are ignored. Default is empty: all points are used.
+   * value 0 are ignored. An example is the medial wall of a brain surface, which is not cortex.
+   * Default is empty: all points are used.
    */
   vtkSetMacro(MaskArrayName, std::string);
   vtkGetMacro(MaskArrayName, std::string);

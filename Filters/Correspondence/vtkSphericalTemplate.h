@@ -21,19 +21,21 @@
  *
  * Output port 1: vtkPolyData, the mean surface, computed after Alignment of the surfaces, with 10
  * f^2 + 2 points, where f is MeanFrequency. The position and orientation of the mean surface are
- * those of the start, a surface that is described below.
+ * those of the start, an input surface that the filter selects.
  * - point array "SpherePosition" (double, 3 components): the points of a geodesic sphere, which are
  *   uniform over the sphere.
  * - field data "TemplateChange" (double, one value per round; absent without rounds): change of the
- *   mean in the round. It is the root mean square distance between corresponding points of the mean
- *   and the previous mean, divided by the root mean square radius.
+ *   mean in the round. The change is the root mean square distance between corresponding points of
+ *   the mean and the previous mean. The unit is the root mean square distance of the points from
+ *   their centroid.
  * - field data "TemplateStart" (idtype, 1 value): number of the input surface that was the start,
  *   counted from 0.
  *
  * First, all surfaces are registered with the first surface. The surface whose shape is closest to
  * the mean of the registered shapes becomes the start. Next, all surfaces are registered with the
  * start. Each round then registers all surfaces with the mean positions and mean features of the
- * previous round. Landmarks, if any, are used in all registrations.
+ * previous round. Features are numbers at the points that should be equal at corresponding points.
+ * Landmarks, if any, are used in all registrations.
  *
  * The sequence of the surfaces can change which surface is the start, see TemplateStart. With the
  * same start, results for different sequences differ only by rounding. The output is equal bit by
@@ -89,8 +91,8 @@ public:
   ///@{
   /**
    * The rounds end when the change of the mean in a round is below this value. The change is the
-   * root mean square distance between corresponding points of the old and the new mean, divided by
-   * the root mean square radius. In [0, 1]. Default is 0.01.
+   * root mean square distance between corresponding points of the old and the new mean. The unit is
+   * the root mean square distance of the points from their centroid. In [0, 1]. Default is 0.01.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);

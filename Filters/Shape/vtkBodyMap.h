@@ -4,12 +4,12 @@
  *
  * Compute longitude, latitude, height and slope at each point of a body that is mapped to the
  * sphere. The filter transforms the map, the point array "SpherePosition". The poles are then on
- * the rotation axis, and longitude 0 passes through a marker. The second output has meridians and
- * parallels on the body. The third output has places that are given by longitude and latitude.
- * These coordinates are neither planetocentric nor planetographic.
+ * the rotation axis, and longitude 0 passes through a marker, a chosen point of the body. The
+ * second output has meridians and parallels on the body. The third output has places that are given
+ * by longitude and latitude. These coordinates are neither planetocentric nor planetographic.
  *
- * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components), as
- * written by vtkGlobalConformalMap. Polygons and strips are treated as triangles.
+ * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components), such
+ * as the output of vtkGlobalConformalMap. Polygons and strips are treated as triangles.
  *
  * Input port 1, optional: vtkPolyData, places on the map, such as outlines, paths or landing sites.
  * The coordinate x of a point is its longitude, and y is its latitude, in degrees.
@@ -19,9 +19,9 @@
  *   The north pole is (0, 0, 1). Longitude 0 is towards (1, 0, 0).
  * - "Longitude": longitude, increasing to the east, in degrees, in [0, 360).
  * - "Latitude": latitude, in degrees, in [-90, 90].
- * - "Height": height of the point over the reference, an ellipsoid or sphere. The height is the
- *   distance of the point from the center of the reference, minus the distance of the reference
- *   from this center in the same direction.
+ * - "Height": height of the point over the reference, an ellipsoid or sphere of the body's volume
+ *   (see Reference). The height is the distance of the point from the center of the reference,
+ *   minus the distance of the reference from this center in the same direction.
  * - "Slope": angle between the normals of the surface and of the reference, in degrees, in [0,
  *   180].
  *
@@ -36,10 +36,11 @@
  * are the positions of the poles and of the marker on the body. "ReferenceCenter", "ReferenceRadii"
  * (3 components) and "ReferenceAxes" (9 components, axis by axis) describe the reference.
  *
- * The poles are intersections of the rotation axis with the surface: on each side of Center, the
- * one farthest from Center. East is counter-clockwise around the north pole seen from outside, even
- * if the input's map was mirrored. The transform balances north and south: the mean of the sine of
- * the latitude over the area of the body is 0.
+ * The rotation axis passes through Center. The poles are intersections of the rotation axis with
+ * the surface. On each side of Center, the intersection farthest from Center is the pole. East is
+ * counter-clockwise around the north pole seen from outside, even if the input's map was mirrored.
+ * The transform balances north and south: the mean of the sine of the latitude over the area of the
+ * body is 0.
  *
  * @note Longitude and latitude are coordinates of a map to the sphere. These coordinates are one to
  * one on bodies of any shape, even if a ray from the center intersects the surface several times.
@@ -128,8 +129,8 @@ public:
   /**
    * Reference surface for heights and slopes. SPHERE: the sphere that has the same volume and the
    * same centroid of the volume as the body. ELLIPSOID (default): an ellipsoid with this volume and
-   * centroid. Its axes are the body's principal axes of inertia. The ratios of its radii are those
-   * of the square roots of the body's second moments.
+   * centroid. The axes of the ellipsoid are the body's principal axes of inertia. The radii are
+   * proportional to the square roots of the body's second moments along these axes.
    */
   vtkSetClampMacro(Reference, int, SPHERE, ELLIPSOID);
   vtkGetMacro(Reference, int);

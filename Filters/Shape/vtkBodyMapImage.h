@@ -7,23 +7,23 @@
  * the outline of the map, and pixels on meridians and parallels.
  *
  * Input port 0: vtkPolyData, an output of vtkBodyMap, or any surface with the point array
- * "SpherePosition" (3 components) and the north pole (0, 0, 1). Polygons and strips are treated as
- * triangles.
+ * "SpherePosition" (3 components). In this array, the north pole is (0, 0, 1). Polygons and strips
+ * are treated as triangles.
  *
  * Output port 0: vtkImageData of ImageSize pixels, which the map fills. The coordinates of a pixel
- * are the coordinates of its middle on the map. Origin and spacing are therefore the values for a
- * world file, which defines the position of an image on a map. If Projection is EQUIRECTANGULAR,
- * the coordinates are degrees of longitude from the central meridian, and degrees of latitude. For
- * other projections, the unit is the radius of the sphere.
+ * are the coordinates of its middle on the map. Origin and spacing of the image are therefore
+ * suitable for a world file, which defines the position of an image on a map. If Projection is
+ * EQUIRECTANGULAR, the coordinates are degrees of longitude from the central meridian, and degrees
+ * of latitude. For other projections, the unit is the radius of the sphere.
  * - active scalars: the drawn point array, with the same name, type and number of components.
  *   Integers are rounded.
  * - point array "OutsideMap" (unsigned char): 1 beyond the outline of the map, otherwise 0. Where
- *   it is 1, the drawn values are 0.
+ *   the value is 1, the drawn values are 0.
  * - point array "OutsideSurface" (unsigned char): 1 beyond the outline, and where the map to the
  *   sphere has a hole; otherwise 0.
  * - point array "Graticule" (unsigned char), unless GraticuleSpacing is 0: 1 on meridians and
- *   parallels, which are one pixel wide. Meridians end at the parallel nearest to the pole; only
- *   those at multiples of 90 degrees continue to the pole.
+ *   parallels, which are one pixel wide. Meridians at multiples of 90 degrees end at the poles. All
+ *   other meridians end at the parallels nearest to the poles.
  * - point array "BodyPosition" (double, 3 components) only with GeneratePositions: the point of the
  *   body that the pixel shows; 0 outside of the map or the surface.
  *
@@ -32,8 +32,8 @@
  * vertices fall into one pixel, the image undersamples the surface.
  *
  * The image is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The quincuncial
- * projection is that of C. S. Peirce (1879), computed by an elliptic integral with complex
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The projection
+ * PEIRCE_QUINCUNCIAL is that of C. S. Peirce (1879), computed by an elliptic integral with complex
  * arguments (Carlson 1995); see Documentation/references.bib.
  *
  * @sa

@@ -2,10 +2,12 @@
  * @class   vtkSurfaceHarmonics
  * @brief   compute the spherical harmonics of a mapped surface and of arrays on it
  *
- * Compute the coefficients of a closed surface as a sum of spherical harmonics, and rebuild the
- * surface from the harmonics of low degree. The surface must be mapped to the sphere, and have the
- * point array "SpherePosition". The second output is the table of coefficients, from which
- * vtkSurfaceHarmonicsSource makes surfaces.
+ * Spherical harmonics are functions on the sphere with finer and finer waves as their degree
+ * increases. This filter describes the points of a closed surface as sums of spherical harmonics.
+ * The filter computes the coefficients of the sums, and rebuilds the surface from the harmonics of
+ * low degree. The surface must be mapped to the sphere, and have the point array "SpherePosition".
+ * The second output is the table of coefficients. The class vtkSurfaceHarmonicsSource makes
+ * surfaces from this table.
  *
  * Input port 0: vtkPolyData, a closed surface with the point array "SpherePosition". Polygons and
  * strips are cut into triangles.
@@ -25,7 +27,8 @@
  * Output port 1: vtkTable, the coefficients. Let L be the Degree. The table has (L + 1)^2 rows: for
  * each degree l from 0 to L, the orders m from -l to l.
  * - columns "Degree", "Order" (int).
- * - columns "X", "Y", "Z" (double): coefficients of the coordinates, in the unit of the points.
+ * - columns "X", "Y", "Z" (double): coefficients of the coordinates, in the unit of the input's
+ *   coordinates.
  * - one column (double) for each component of each point array that was added. Its name is that of
  *   the array; for several components, the names are "name_0", "name_1" and so on.
  *
@@ -54,10 +57,10 @@
  *   becomes MapRotation p.
  *
  * The coefficients are a least-squares solution over the points of the surface, weighted by area.
- * Let a surface be a sum of harmonics up to degree L, and its edges on the sphere be shorter than
- * pi / L. Then its coefficients are reproduced. How well few harmonics describe a surface depends
- * on the map, since limbs are small in a conformal map. vtkGlobalConformalMap with an AreaBalance
- * of 0.5 is suitable for most surfaces. The output is equal bit by bit for any number of threads.
+ * If a surface is a sum of harmonics up to degree L, and its edges on the sphere are shorter than
+ * pi / L, the filter reproduces its coefficients. In a conformal map, limbs are small, and need
+ * harmonics of high degree. vtkGlobalConformalMap with an AreaBalance of 0.5 is suitable for most
+ * surfaces. The output is equal bit by bit for any number of threads.
  *
  * Implementation note: the axes of Alignment are those of C. Brechbuehler, G. Gerig, O. Kuebler,
  * "Parametrization of closed surfaces for 3-D shape description", Computer Vision and Image
@@ -109,8 +112,8 @@ public:
 
   ///@{
   /**
-   * Maximum degree of the harmonics from which output port 0 is rebuilt. Values above Degree have
-   * the effect of Degree. In [0, 256]. Default is 256: all harmonics.
+   * Maximum degree of the harmonics from which output port 0 is rebuilt. Values above the property
+   * Degree have the effect of Degree. In [0, 256]. Default is 256: all harmonics.
    */
   vtkSetClampMacro(ReconstructionDegree, int, 0, 256);
   vtkGetMacro(ReconstructionDegree, int);
@@ -138,17 +141,19 @@ public:
 
   ///@{
   /**
-   * Alignment to a common frame, so that coefficients of different surfaces can be compared. The
-   * frame is that of the ellipsoid defined by the harmonics of degree 1. NONE (default): no
-   * alignment. MAP: rotate the map so that the longest, middle and shortest axis of the ellipsoid
-   * are mapped to the x, y and z axis. MAP_AND_SURFACE: also rotate the surface so that these axes
-   * become x, y and z, and move the ellipsoid's center to the origin.
+   * Alignment to common axes, so that coefficients of different surfaces can be compared. The
+   * harmonics of degree 1 define an ellipsoid, whose axes are used. NONE (default): no alignment.
+   * MAP: rotate the map so that the longest, middle and shortest axis of the ellipsoid are mapped
+   * to the x, y and z axis. MAP_AND_SURFACE: also rotate the surface so that these axes become x, y
+   * and z, and move the ellipsoid's center to the origin.
    *
    * Four rotations align the axes, since the signs of two axes are free. With a reference, the axes
-   * are matched to those of the reference. The rotation with the highest correlation between
-   * surface and reference is chosen. If the lengths of two axes differ by less than a tenth, the
-   * rotation about the third axis is also searched. Without a reference, the longest and the middle
-   * axis point to the side where the surface extends farther, by the third moment over the sphere.
+   * of the surface's ellipsoid are matched to those of the reference's ellipsoid. Of the four
+   * rotations, the one with the highest correlation between surface and reference is chosen. If the
+   * lengths of two axes differ by less than a tenth, rotations about the third axis are also tried.
+   * Without a reference, the longest and the middle axis point to the side where the surface
+   * extends farther. This side is where the third moment is positive: the integral over the sphere
+   * of the cubed coordinate along the axis.
    */
   vtkSetClampMacro(Alignment, int, NONE, MAP_AND_SURFACE);
   vtkGetMacro(Alignment, int);

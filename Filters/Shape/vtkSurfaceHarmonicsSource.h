@@ -3,11 +3,12 @@
  * @brief   make a surface from a table of its spherical harmonics
  *
  * Make a closed surface from a table of coefficients of spherical harmonics, such as the second
- * output of vtkSurfaceHarmonics.
+ * output of vtkSurfaceHarmonics. Spherical harmonics are functions on the sphere with finer and
+ * finer waves as their degree increases.
  *
  * Input port 0: vtkTable, the coefficients. Columns "Degree", "Order", "X", "Y" and "Z" define the
- * surface, and other numeric columns become point arrays. The table has one row for each harmonic
- * of degrees 0 to L, in any sequence. L is at most 1024.
+ * surface, and other numeric columns become point arrays. The table has one row for each harmonic,
+ * in any sequence. Degrees are 0 to L, with L at most 1024.
  * - columns "Degree", "Order": degree l, and order m from -l to l.
  * - columns "X", "Y", "Z": coefficients of the coordinates.
  * - other numeric columns: coefficients of point arrays. Columns of text are ignored.

@@ -11,14 +11,14 @@
  * triangles are oriented consistently, and points that belong to no triangle are dropped. Each kind
  * of change causes a warning.
  *
- * Output port 0: the input, or, if the input was changed in one of these ways, its triangles, with
- * point arrays (double)
+ * Output port 0: the input, or only its triangles if one of the changes above was made, with point
+ * arrays (double)
  * - "MeanCurvature", in units of 1 / length: positive where the surface is convex; 1 / r on a
- *   sphere of radius r. Connectome Workbench uses the same sign. FreeSurfer's "curv" has the
- *   opposite sign.
+ *   sphere of radius r. The program Connectome Workbench uses the same sign. "curv" of FreeSurfer
+ *   has the opposite sign.
  * - "GaussianCurvature", in units of 1 / area: positive on domes and in pits, negative on saddles.
- * - "SulcalDepth", in units of length: positive in folds and negative on ridges, as FreeSurfer's
- *   "sulc". The mean of SulcalDepth over the surface is 0.
+ * - "SulcalDepth", in units of length: positive in folds and negative on ridges, as "sulc" of
+ *   FreeSurfer, a program for brain surfaces. The mean of SulcalDepth over the surface is 0.
  *
  * Curvatures are integrals over edges and vertices (D. Cohen-Steiner, J.-M. Morvan, "Restricted
  * Delaunay triangulations and normal cycle", SoCG 2003). The integral for a vertex is divided by
@@ -30,11 +30,12 @@
  * 13 (2009). Let H be the mean curvature, and s the length that DepthScale defines. The depth
  * potential is the solution u of the equation u / s^2 - Laplacian u = 2 (mean of H - H). In shallow
  * folds, u is approximately the height of the surrounding surface above the point. In deep folds
- * with steep walls, u increases with the length of the wall. The depth potential differs from
- * FreeSurfer's average convexity, and from the distance to a hull.
+ * with steep walls, u increases with the length of the wall. The depth potential differs from two
+ * other measures of depth: FreeSurfer's average convexity, and the distance to a hull.
  *
  * The class vtkSphericalRegistration computes features from the mean curvature at fixed scales. To
- * register by other scales, add the arrays of this filter as features there.
+ * register by mean curvature at other scales, add the arrays of this filter as features by
+ * AddFeature() of that class.
  *
  * These measures are not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)).
@@ -60,7 +61,7 @@ public:
   /**
    * Approximate length over which curvatures are smoothed, as a fraction of the square root of the
    * surface's area. With 0, curvatures are not smoothed. In [0, 1]. Default is 0.01: 3 mm on a
-   * hemisphere of 900 square centimeters.
+   * brain hemisphere of 900 square centimeters.
    */
   vtkSetClampMacro(CurvatureScale, double, 0.0, 1.0);
   vtkGetMacro(CurvatureScale, double);
