@@ -75,9 +75,9 @@ public:
   /// Return a Run with the same threads and another progress callback.
   Run watchedBy(Progress watcher) const { return { this->Threads, std::move(watcher) }; }
 
-  /// Return a Run with the same progress callback that uses only the calling thread. Loops of the
-  /// returned Run are executed in ascending order. Use the returned Run if the result of a loop
-  /// depends on the order of iterations.
+  /// Return a Run that uses only the calling thread and has the same progress callback. Its loops
+  /// are executed in ascending order. Use the returned Run if the result of a loop depends on the
+  /// order of iterations.
   Run inOrder() const { return { ParallelFor(), this->Watcher }; }
 
   /// Call body(i) once for every i in [0, count), on all threads.
