@@ -110,7 +110,7 @@ inline void forBlocks(
 /// Call body(begin, end) for each block of up to `blockSize` consecutive indices in [0, size).
 /// Report progress from the calling thread after every n blocks. The number n is a sixteenth of the
 /// number of blocks, clamped to [64, 256]. At least 64 blocks between reports keep many threads
-/// busy.
+/// busy. At most 256 blocks make reports frequent.
 /// @throws Aborted if the progress callback returns false
 inline void forBlocksReporting(
   const Run& run, Index size, Index blockSize, const std::function<void(Index, Index)>& body)

@@ -40,14 +40,14 @@ public:
 private:
   struct Front
   {
-    // Unknowns of this front that belong to later parts, given by their positions in the
-    // elimination order, ascending
+    // Unknowns of this front that belong to later parts, as ascending positions in
+    // NestedDissection::Order
     std::vector<int> Boundary;
     // Columns of the Cholesky factor for the unknowns of this part. The rows are the unknowns of
     // the part, then those of Boundary.
     Columns Factor;
     // Lower triangle of the Schur complement: the matrix that remains when the part is eliminated.
-    // This matrix is added to the front of the parent.
+    // This matrix is added to the front of the parent part.
     Columns Update;
   };
 

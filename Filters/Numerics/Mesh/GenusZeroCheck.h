@@ -17,8 +17,8 @@ namespace conformal
 {
 using Edge = std::array<int, 2>; ///< two vertex ids
 
-/// Result of checkGenusZero(). Triangles with a repeated vertex are listed in DegenerateTriangles.
-/// All other members ignore such triangles.
+/// Result of checkGenusZero(). The member DegenerateTriangles lists triangles with a repeated
+/// vertex. All other members ignore triangles with a repeated vertex.
 struct GenusZeroReport
 {
   std::vector<Edge> BoundaryEdges; ///< edges of exactly one triangle, directed as in that triangle
@@ -31,7 +31,8 @@ struct GenusZeroReport
   std::vector<int> IsolatedPoints;      ///< points without triangles
   std::vector<int> NonFinitePoints;     ///< points with a coordinate that is NaN or infinite
   Index NumberOfTriangles = 0;          ///< number of triangles without a repeated vertex
-  Index NumberOfVertices = 0;           ///< number of vertices of the counted triangles
+  /// Number of vertices of triangles without a repeated vertex
+  Index NumberOfVertices = 0;
   Index NumberOfEdges = 0;
   Index NumberOfBoundaryLoops = 0; ///< number of connected sets of boundary edges
   Index NumberOfComponents = 0;    ///< number of sets of triangles connected by shared vertices
@@ -54,8 +55,8 @@ struct GenusZeroReport
   }
 };
 
-/// Check the topology of a mesh. If points are given, also check for coordinates that are not
-/// finite, triangles without area and negative volume.
+/// Check the topology of a mesh. If points are given, also check for non-finite coordinates, for
+/// triangles without area, and for negative volume.
 ///
 /// @param[in] triangles         #F by 3 vertex ids
 /// @param[in] numberOfVertices  #V, the number of vertices, including isolated ones

@@ -20,8 +20,8 @@ namespace conformal
 /// denote the sum over the four corners of the number k times the position x. Let u and v be the
 /// unit vectors that point from e into the two triangles, perpendicular to e. Then k x = |e|
 /// (u + v). A flat hinge has k x = 0 for any shape of its triangles. A hinge bent by an angle theta
-/// has |k x| = 2 |e| sin(theta / 2). This energy is large at folds, even if their triangles are
-/// thin. In contrast, the uniform Laplacian of a vertex is only suitable for nearly equilateral
+/// has |k x| = 2 |e| sin(theta / 2). At folds, |k x| is large even if the triangles are thin. In
+/// contrast, the uniform Laplacian (defined below) is only suitable for nearly equilateral
 /// triangles. At needles (very thin triangles), the four numbers k are scaled down to a magnitude
 /// of at most 4. Larger numbers would make the equations for minimizing the energy ill-conditioned.
 ///

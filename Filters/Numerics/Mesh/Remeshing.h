@@ -19,9 +19,9 @@ struct RemeshingOptions
   bool MeetNumber = false;
 };
 
-/// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. A mesh of
-/// equilateral triangles, with the area of the surface and the target number of vertices, has edges
-/// of one length. This length is the target length of edges. Each iteration has these steps:
+/// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. The target
+/// length of edges is that of a mesh of equilateral triangles with equal area and the target number
+/// of vertices. Each iteration has these steps:
 /// - Split edges longer than 4/3 of the target length, the longest first.
 /// - Collapse edges shorter than 4/5 of the target length, the shortest first.
 /// - Flip edges if this makes the numbers of neighbors of their vertices closer to six.

@@ -26,9 +26,9 @@ public:
   const Ring& operator[](int v) const { return this->Rings[v]; }
   Index size() const { return static_cast<Index>(this->Rings.size()); }
 
-  /// Test whether v can collapse into (be merged with) its neighbor u, so that the mesh stays a
-  /// closed manifold of the same genus. This is true if v and u have exactly two common neighbors,
-  /// the vertices opposite their common edge.
+  /// Test whether the mesh stays a closed manifold of the same genus if v collapses into (merges
+  /// with) its neighbor u. This is true if v and u have exactly two common neighbors, the vertices
+  /// opposite their common edge.
   /// @pre more than four vertices are in use
   bool canCollapse(int v, int u) const;
 

@@ -1,5 +1,6 @@
-/// Measure whether a map of a surface to the sphere is one-to-one: count how often it covers the
-/// sphere, and its folds. Solid angles are computed by the formula of \cite VanOosterom1983.
+/// Measure whether a map of a surface to the sphere is one-to-one. Count how often the map covers
+/// the sphere, and its folds (flipped triangles). Solid angles are computed by the formula of
+/// \cite VanOosterom1983.
 
 #ifndef ConformalSphereCoverage_h
 #define ConformalSphereCoverage_h

@@ -14,7 +14,8 @@
 
 namespace conformal
 {
-/// Relative density of points on the sphere; a constant factor has no effect.
+/// Relative density of points on the sphere. Multiplying a density by a constant does not change
+/// the mesh built from it.
 struct SphereDensity
 {
   /// Function that returns the density at a direction, a unit vector. Densities are finite and at

@@ -13,8 +13,9 @@
 
 namespace conformal
 {
-/// Minimum determinant of the three unit vectors of a triangle, twice its minimum area. Triangles
-/// above this minimum do not become flipped if other programs round the unit vectors.
+/// Minimum determinant of the three unit vectors of a triangle. The determinant is about twice the
+/// area. Triangles above this minimum keep their orientation if other programs round the unit
+/// vectors.
 constexpr double MinimumDeterminant = 1e-13;
 
 /// Energy of a map of a surface to the sphere, with terms for angles and for areas. The energy is
@@ -70,9 +71,9 @@ struct Corner
 ///   MinimumDeterminant
 std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring);
 
-/// Move a vertex to a position of lower energy, by one step of Newton's method in its tangent
-/// plane. The step is shortened until the energy of its triangles decreases and no triangle is
-/// flipped. If no step length satisfies these conditions, the vertex is not moved.
+/// Move a vertex to a position of lower energy, by one step of Newton's method in the tangent plane
+/// of the sphere. The step is shortened until the energy of the vertex's triangles decreases and no
+/// triangle is flipped. If no step length satisfies these conditions, the vertex is not moved.
 /// @param[in,out] positions  unit vectors of all vertices; only the unit vector of v is changed
 /// @param[in] corners        triangles around v, counter-clockwise
 void relaxVertex(std::vector<Vector3>& positions, int v, const Corner* corners, int size,

@@ -27,12 +27,13 @@ constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles);
 
 /// Repair each connected set of bad triangles by moving the vertices in a neighborhood of the set.
-/// If the repair fails, the neighborhood is enlarged by rings of vertices, and the repair is
-/// repeated.
+/// If the repair fails, the neighborhood is enlarged by the neighbors of its vertices, and the
+/// repair is repeated.
 ///
 /// The border of the neighborhood is fixed. Vertices inside get new positions by the first of these
 /// methods that succeeds:
-/// - Move each vertex into the kernel of the polygon of its neighbors, see kernelCentroid().
+/// - Move each vertex into the kernel of its neighbors' polygon: positions at which no triangle is
+///   flipped, see kernelCentroid().
 /// - Regard the edges as springs with positive weights, and move the vertices to the equilibrium of
 ///   the springs, \cite Tutte1963. The equilibrium is computed in the plane of a gnomonic
 ///   projection. This projection maps great circles to lines, and preserves the orientation of
@@ -44,9 +45,8 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 ///   necessary on limbs that have only a few vertices around their circumference.
 ///
 /// @param[in] strings        weights of the springs: result of cotangentWeights() for the surface.
-///   Negative and extreme weights are replaced by the nearest accepted positive weight.
-/// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad do not
-///   become bad.
+///   In the equilibrium, weights are clamped to [0.05, 20].
+/// @param[in,out] positions  #V unit vectors, the sphere map. No further triangle becomes bad.
 /// @return whether no bad triangles remain
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,

@@ -16,7 +16,7 @@ enum class GlobalConformalMethod
   GuYau   ///< published method of Gu and Yau; its maps may have folds (flipped triangles)
 };
 
-/// Step in which the method Robust succeeded.
+/// Tier (stage of the method Robust) that computed the map.
 enum class GlobalConformalTier
 {
   Harmonic, ///< the solution of linear equations had no folds
@@ -33,7 +33,7 @@ struct GlobalConformalMapOptions
   /// For Robust: balance between angles and areas, in [0, 1]. The value 0 gives a conformal map, 1
   /// a map that nearly preserves areas.
   double AreaBalance = 0.0;
-  /// For GuYau: maximum number of steps in each of its two phases
+  /// For GuYau: maximum number of steps in each of its two phases, see mapByGuYau()
   int MaximumNumberOfIterations = 5000;
   /// For GuYau: relative change of the energy per step at which a phase ends
   double Tolerance = 1e-7;

@@ -29,7 +29,7 @@ struct ProgressiveSphereMapOptions
   /// parts can be inserted only after those of the necks.
   QuadricCollapse::Needles SurfaceNeedles = QuadricCollapse::Needles::Keep;
   /// Maximum number of insertions before which nearby vertices must be moved to make space. One
-  /// insertion with moves may need a second.
+  /// such insertion may need one second of running time.
   Index MaximumNumberOfRelaxations = std::numeric_limits<Index>::max();
   /// Whether to collapse and insert vertices as if all triangles were equilateral, with equal
   /// areas. The final sweeps always use the true shapes. Use this option only if all other attempts
@@ -52,9 +52,9 @@ struct ProgressiveSphereMapResult
 ///
 /// The surface is first collapsed to a tetrahedron. The four vertices of the tetrahedron are placed
 /// on the sphere. All other vertices are then inserted in the reverse sequence of the collapses.
-/// Each vertex is inserted in the kernel of the polygon of its neighbors: the positions for which
-/// no triangle is flipped. Between and after the insertions, vertices are moved to reduce
-/// SphereEnergy, an energy of angles and areas. Moves that would flip a triangle are rejected.
+/// Each vertex is inserted in the kernel of its neighbors' polygon: positions at which no triangle
+/// is flipped. Between and after the insertions, vertices are moved to reduce SphereEnergy, an
+/// energy of angles and areas. Moves that would flip a triangle are rejected.
 ///
 /// Implementation note: \cite Praun2003 minimizes another energy, called stretch. Here, the energy
 /// of a triangle is its conformal energy times a power of S / A. S is the area of the triangle on

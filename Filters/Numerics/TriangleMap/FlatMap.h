@@ -85,8 +85,8 @@ public:
   class Triangle;
 
 private:
-  /// Correspondence e of an edge, see FlatMap. It maps the ratio t : (1 - t) to the ratio exp(c)
-  /// t^p : (1 - t)^q.
+  /// Correspondence e of an edge, see FlatMap. The point e(t) divides the model edge in the ratio
+  /// exp(c) t^p : (1 - t)^q.
   struct Edge
   {
     double AtFirst = 1.0;    ///< exponent p

@@ -60,8 +60,9 @@ inline Complex over(const Complex& a, const Complex& b)
     (a.imag() * b.real() - a.real() * b.imag()) / square };
 }
 
-/// Return the number of terms that a power series in s needs for full precision, where logS = log
-/// |s|. The number is even. The coefficients of the series are assumed to have magnitudes near 1.
+/// Return the number of terms that a power series in s needs for full precision. The argument logS
+/// is log |s|. The number is even. The coefficients of the series are assumed to have magnitudes
+/// near 1.
 inline int termsFor(double logS)
 {
   return logS > LogEpsilon / MaximumTerms ? MaximumTerms

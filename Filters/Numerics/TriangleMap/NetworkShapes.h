@@ -15,11 +15,11 @@
 namespace conformal
 {
 /// Conformal maps of all triangles of a network. Triangles with equal angles have one shape. They
-/// share precomputed tables with series coefficients of its conformal map.
+/// share tables of precomputed series coefficients of the conformal map.
 ///
-/// A geodesic sphere of frequency 36 has 25,920 triangles but only 156 shapes (312 with mirror
-/// images). Tables are made only for shapes that many triangles have. A mesh without symmetry thus
-/// needs little memory.
+/// A geodesic sphere of frequency 36 has 25,920 triangles but only 156 shapes (312 if mirror images
+/// are counted separately). Tables are made only for shapes that many triangles have. A mesh
+/// without symmetry thus needs little memory.
 class NetworkShapes
 {
 public:

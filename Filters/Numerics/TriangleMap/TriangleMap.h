@@ -36,7 +36,7 @@ struct EdgeShares
 /// s = 0.
 struct EdgePoint
 {
-  bool AtSecond = false; ///< whether the second end is at s = 0
+  bool AtSecond = false; ///< whether the second end of the edge (see TriangleMap) is at s = 0
   /// Coordinate s; positive if the first end is at s = 0, negative if the second end is
   double S = 0.0;
   double LogS = 0.0; ///< log |s|
