@@ -45,8 +45,8 @@ public:
   struct Collapse
   {
     int Vertex; ///< id of the removed vertex
-    /// Neighbors of the removed vertex before the collapse, starting with the vertex into which it
-    /// collapsed
+    /// Neighbors of the removed vertex before the collapse, starting with the neighbor into which
+    /// the removed vertex collapsed
     Ring Neighbors;
   };
 

@@ -24,7 +24,8 @@ struct RemeshingOptions
 /// of vertices. Each iteration has these steps:
 /// - Split edges longer than 4/3 of the target length, the longest first.
 /// - Collapse edges shorter than 4/5 of the target length, the shortest first.
-/// - Flip edges if this makes the numbers of neighbors of their vertices closer to six.
+/// - Flip an edge if the vertices of its two triangles then have numbers of neighbors closer to
+///   six.
 /// - Move each vertex along the surface toward the centroid of its triangles.
 ///
 /// No step changes the topology. No step makes a needle (very thin triangle) or rotates the normal

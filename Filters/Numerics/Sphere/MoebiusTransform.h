@@ -8,7 +8,7 @@
 namespace conformal
 {
 /// Map of the unit ball to itself that is conformal and preserves orientation. The map first moves
-/// the point Center of the ball to the origin, without rotation. Then it rotates the ball.
+/// the point Center of the ball to the origin, without rotation. Then the map rotates the ball.
 struct MoebiusTransform
 {
   /// Point of the ball that is moved to the origin; its length is below 1

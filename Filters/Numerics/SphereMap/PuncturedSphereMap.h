@@ -16,8 +16,9 @@ namespace conformal
 /// too small for double precision.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
-/// Choose another puncture, given a map of the surface to the sphere. The result is a nearly
-/// equilateral triangle whose area this map enlarges most.
+/// Choose another puncture, given a map of the surface to the sphere. The result is the triangle
+/// whose area the map enlarges most. The enlargement is weighted, so that nearly equilateral
+/// triangles are preferred.
 Index choosePuncture(
   const Points& points, const Triangles& triangles, const Points& spherePositions);
 
