@@ -1,5 +1,5 @@
 /// Combine data of all ranks (MPI processes): concatenation, minimum, maximum and sums in rank
-/// order. All functions communicate by the integer sums of Reduce.
+/// order. All communication consists of sums of integers over all ranks, see Reduce.
 
 #ifndef ConformalAcrossProcesses_h
 #define ConformalAcrossProcesses_h
@@ -18,8 +18,8 @@
 namespace conformal
 {
 /// Concatenate the rows of all ranks in rank order, on every rank.
-/// @param[in] own  rows of this rank; ranks may have different numbers of rows. Integers must be
-///   representable as double.
+/// @param[in] own  rows of this rank; ranks may have different numbers of rows. Rows are sent as
+///   doubles, so integers must not exceed 2^53 in magnitude.
 template <typename Matrix>
 Matrix gatherRows(const Reduce& reduce, const Matrix& own)
 {
@@ -65,7 +65,7 @@ inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<doub
 {
   const Index size = static_cast<Index>(own.size());
   std::vector<Minimum> result(size);
-  // maximum number of values per rank that are gathered at once, to limit memory
+  // maximum number of values gathered from each rank at once, to limit memory
   constexpr Index ChunkSize = 1 << 16;
   for (Index first = 0; first < size; first += ChunkSize)
   {
@@ -97,10 +97,10 @@ inline std::vector<double> maximum(const Reduce& reduce, const std::vector<doubl
   return most;
 }
 
-/// Update an array serially in rank order: each rank continues from the values that the previous
-/// rank computed. All ranks receive the values of the last rank. Floating-point sums therefore have
-/// the same bits as in a single process. The function is slow, since it sends the array once per
-/// rank.
+/// Update an array on one rank after another, in rank order. Each rank continues from the values
+/// that the previous rank computed. All ranks receive the values of the last rank. Floating-point
+/// sums therefore have the same bits as in a single process. The function is slow, since it sends
+/// the array once per rank.
 /// @param[in,out] numbers  array of `count` values; equal on all ranks before the call, and again
 ///   after the call
 /// @param[in] goOn         function that updates `numbers` with the data of this rank

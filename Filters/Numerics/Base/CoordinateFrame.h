@@ -1,6 +1,7 @@
-/// Scale coordinates to a size near 1, so that their products neither overflow nor underflow. The
-/// choice of the scale is our own construction. The scale is a power of two, because division by a
-/// power of two does not round. Results thus have the same bits in any unit of length.
+/// Scale coordinates to a magnitude near 1, so that their products neither overflow nor underflow.
+/// The choice of the scale is our own construction. The scale is a power of two, because division
+/// by a power of two does not round. If the input is multiplied by a power of two, scaled
+/// coordinates keep all bits.
 
 #ifndef ConformalCoordinateFrame_h
 #define ConformalCoordinateFrame_h
@@ -13,15 +14,15 @@
 
 namespace conformal
 {
-/// Return x / unit, or a closer point if a coordinate of x / unit exceeds 2^26 in magnitude. The
-/// closer point has the direction of x and the distance 2^26 from the origin. In double precision,
-/// both points have the same closest point on a surface whose size is about 1.
+/// Return x / unit, unless a coordinate of x / unit exceeds 2^26 in magnitude. In this case, return
+/// the point at distance 2^26 from the origin in the direction of x. On a surface of size about 1,
+/// x / unit and the returned point have the same closest point, up to rounding.
 Vector3 inUnits(const Vector3& x, double unit);
 
 /// Unit of length in which coordinates are near 1. The unit is a power of two, so that division and
-/// multiplication by the unit do not round. Results of the numerical library therefore have the
-/// same bits in any unit of the input. The only exception is a unit that is not a normal
-/// floating-point number.
+/// multiplication by the unit do not round. If the input is multiplied by a power of two, scaled
+/// coordinates keep all bits. Subnormal coordinates (below 2^-1022) are an exception, because they
+/// have fewer digits.
 struct CoordinateFrame
 {
   double Unit = 1.0; ///< unit of length, a power of two
@@ -30,7 +31,7 @@ struct CoordinateFrame
   /// frame.
   Vector3 toFrame(const Vector3& x) const { return x / this->Unit; }
 
-  /// Divide any other point, which may be far away, by the unit: see inUnits().
+  /// Divide a point by the unit. The point may be far from the points of frameOf(), see inUnits().
   Vector3 toFrameFromAfar(const Vector3& x) const { return inUnits(x, this->Unit); }
 };
 

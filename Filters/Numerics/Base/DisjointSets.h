@@ -1,4 +1,5 @@
-/// Merge disjoint sets and find the set of an id: union-find with path halving, \cite Tarjan1984.
+/// Merge disjoint sets of ids, and find the set that contains an id. The method is union-find with
+/// path halving, \cite Tarjan1984.
 #ifndef ConformalDisjointSets_h
 #define ConformalDisjointSets_h
 

@@ -1,6 +1,7 @@
 /// Add real numbers as fixed-point numbers, so that sums do not depend on the order of addition.
-/// The use of fixed-point numbers is our own construction, because the addition of integers is
-/// associative. Threads and ranks (MPI processes) may thus add in any order.
+/// Fixed-point numbers are stored as integers, whose addition is associative. Threads and ranks
+/// (MPI processes) may thus add in any order. The use of fixed-point numbers is our own
+/// construction.
 
 #ifndef ConformalFixedPointSums_h
 #define ConformalFixedPointSums_h

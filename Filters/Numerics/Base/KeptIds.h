@@ -1,4 +1,4 @@
-/// Store which ids pass a test in one bit per tested id, and access the passing ids by index.
+/// List the ids that pass a test. The list needs only one bit for each tested id.
 
 #ifndef ConformalKeptIds_h
 #define ConformalKeptIds_h

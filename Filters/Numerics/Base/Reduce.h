@@ -16,8 +16,8 @@ namespace conformal
 {
 /// Sum of integers over all ranks (MPI processes). All ranks must make the same calls in the same
 /// sequence, with equal counts. Integer sums do not depend on the order of addition. Results
-/// therefore have the same bits for any number of ranks. Every other reduction is expressed as an
-/// integer sum.
+/// therefore have the same bits for any number of ranks. Every other reduction (combination of
+/// values of all ranks) is expressed as an integer sum.
 struct Reduce
 {
   int Rank = 0; ///< rank of this process, in [0, NumberOfRanks)

@@ -75,9 +75,9 @@ public:
   /// Return a Run with the same threads and another progress callback.
   Run watchedBy(Progress watcher) const { return { this->Threads, std::move(watcher) }; }
 
-  /// Return a Run with the same progress callback that uses only the calling thread. Loops of the
-  /// returned Run are executed in ascending order. Use the returned Run if the result of a loop
-  /// depends on the order of iterations.
+  /// Return a Run that uses only the calling thread and has the same progress callback. Its loops
+  /// are executed in ascending order. Use the returned Run if the result of a loop depends on the
+  /// order of iterations.
   Run inOrder() const { return { ParallelFor(), this->Watcher }; }
 
   /// Call body(i) once for every i in [0, count), on all threads.
@@ -110,7 +110,7 @@ inline void forBlocks(
 /// Call body(begin, end) for each block of up to `blockSize` consecutive indices in [0, size).
 /// Report progress from the calling thread after every n blocks. The number n is a sixteenth of the
 /// number of blocks, clamped to [64, 256]. At least 64 blocks between reports keep many threads
-/// busy.
+/// busy. At most 256 blocks make reports frequent.
 /// @throws Aborted if the progress callback returns false
 inline void forBlocksReporting(
   const Run& run, Index size, Index blockSize, const std::function<void(Index, Index)>& body)

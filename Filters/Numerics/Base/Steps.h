@@ -16,11 +16,11 @@ namespace conformal
 /// Assign a share of the total progress to each step of a computation. For example, the second of
 /// these steps has 60 % of the progress:
 ///
-///     Steps steps(run, { 0.4, 0.6 }); // tree, foot points
+///     Steps steps(run, { 0.4, 0.6 }); // build a tree, find closest points
 ///     const TriangleTree tree(..., steps.next());
 ///     forBlocksReporting(steps.next(), ...);
 ///
-/// Callers pass constant shares: the measured times of the steps. The times are those for a surface
+/// Callers pass constant shares: measured times of the steps. The times were measured for a surface
 /// of 100,000 points, on one core in a release build (2026). Only the ratios of the shares matter.
 /// Progress never decreases and is reported often. However, progress does not predict the remaining
 /// time, since other surfaces have other ratios.

@@ -1,4 +1,5 @@
-/// Scale coordinates to a unit box, so that products neither overflow nor underflow.
+/// Move and scale points to a unit box (bounding box whose longest side is 1). Products of
+/// coordinates in this box neither overflow nor underflow.
 
 #ifndef ConformalUnitBox_h
 #define ConformalUnitBox_h
@@ -8,16 +9,18 @@
 
 namespace conformal
 {
-/// Transformation of points to a unit box: translation and scaling. The lower corner of their
-/// bounding box becomes the origin. The length of its longest side becomes 1.
+/// Transformation of points to a unit box: translation and scaling. The lower corner of the points'
+/// bounding box becomes the origin. The longest side of the bounding box gets the length 1.
 struct UnitBox
 {
   Vector3 Lower = Vector3::Zero();
-  double Half = 1.0; ///< half of the longest side of the bounding box; the whole side may overflow
+  /// Half of the longest side of the bounding box; the whole length may overflow
+  double Half = 1.0;
 
   Vector3 operator()(const Vector3& p) const { return (0.5 * p - 0.5 * this->Lower) / this->Half; }
 
-  /// Convert a point that may be far outside of the box, see inUnits().
+  /// Transform a point that may be far outside of the box. Very distant points are moved closer,
+  /// see inUnits() in CoordinateFrame.h.
   Vector3 fromAfar(const Vector3& p) const
   {
     return inUnits(0.5 * p - 0.5 * this->Lower, this->Half);
@@ -28,8 +31,8 @@ struct UnitBox
 /// @throws std::invalid_argument if some points are not finite; the message contains their number
 UnitBox unitBoxOf(const PointView& points);
 
-/// Transform points to their unit box. Quantities computed from the result depend neither on the
-/// position nor on the size of the input.
+/// Transform points to their unit box. The position and the size of the input affect the result
+/// only by rounding.
 /// @throws std::invalid_argument if some points are not finite; the message contains their number
 Points inUnitBox(const PointView& points);
 }

@@ -13,8 +13,8 @@ namespace conformal
 struct ConjugateGradientsOptions
 {
   int NumberOfSteps = 0; ///< maximum number of steps
-  /// Let E be the square of the residual, in the norm of the preconditioner. If E is at most this
-  /// fraction of its initial value, the iteration ends.
+  /// Let E be the scalar product of the residual r = b - A x and its image under the
+  /// preconditioner. If E is at most this fraction of its initial value, the iteration ends.
   double Accuracy = 0.0;
 };
 
@@ -26,7 +26,7 @@ using LinearMap = std::function<void(const Points&, Points&)>;
 /// preconditioner must be symmetric positive definite.
 /// @param[in,out] residual    on input, the right-hand side b. On return, the residual b - A x.
 /// @param[in] product         function that computes A x
-/// @param[in] preconditioned  preconditioner, a function that approximates A^-1 x
+/// @param[in] preconditioned  preconditioner, a function that computes an approximation of A^-1 x
 /// @return solution x
 /// @throws Aborted
 inline Points conjugateGradients(Points& residual, const LinearMap& product,

@@ -30,8 +30,9 @@ struct EdgeWeights
   }
 };
 
-/// Assign weight 1 to each edge. With these weights, a harmonic map of a disk into a convex planar
-/// polygon never folds, \cite Tutte1963.
+/// Assign weight 1 to each edge. In a harmonic map, each inner vertex is the weighted mean of its
+/// neighbors. With equal weights, a harmonic map of a disk into a convex planar polygon never
+/// folds, \cite Tutte1963.
 EdgeWeights equalWeights(const Triangles& triangles, Index numberOfVertices);
 
 /// Compute cotangent weights: half the sum of the cotangents of the two angles opposite each edge,
@@ -44,15 +45,16 @@ EdgeWeights cotangentWeights(
 /// weights are the string constants of \cite GuYau2002.
 struct StringConstants
 {
-  EdgeWeights Strings;        ///< cotangent weights; triangles of zero area are ignored
-  Index NumberOfNegative = 0; ///< number of edges whose opposite angles have a sum above pi
+  EdgeWeights Strings; ///< cotangent weights; triangles of zero area are ignored
+  /// Number of edges with negative weight: their opposite angles have a sum above pi
+  Index NumberOfNegative = 0;
   Index NumberOfInfinite = 0; ///< number of edges of triangles with zero area
 };
 StringConstants harmonicStrings(const Points& points, const Triangles& triangles);
 
 /// Compute weights of vertices for means over a surface. The weight of a vertex is twice the area
-/// of its triangles. The weight is also six times the area of a vertex, if each triangle is divided
-/// equally among its vertices. If the surface has no area, all weights are 1.
+/// of its triangles. Let the area of a vertex be a third of the area of its triangles. Then the
+/// weight is six times the area of the vertex. If the surface has no area, all weights are 1.
 Eigen::VectorXd vertexAreas(const Points& points, const Triangles& triangles);
 
 /// Compute the string energy: half the sum over all edges of the edge's weight times its squared

@@ -15,13 +15,13 @@ namespace conformal
 /// Compute the values at the free vertices from the values at all other vertices. In the result,
 /// each free vertex has the weighted mean of the values of its neighbors. The equations are solved
 /// by Eigen's sparse Cholesky factorization. For 20,000 free vertices or more, MultifrontalCholesky
-/// is used instead.
-/// @param[in] places      #V by 3 positions of the vertices. Positions determine only the
-///   elimination order.
+/// is used instead, which is faster and uses several threads.
+/// @param[in] places      #V by 3 positions of the vertices. Positions determine only the sequence
+///   in which unknowns are eliminated.
 /// @param[in] free        ids of the free vertices, each once
 /// @param[in,out] values  #V rows; each column is a separate problem. Rows of free vertices are
 ///   computed; the other rows are given.
-/// @throws NumericalFailure if the matrix of the weights is not positive definite
+/// @throws NumericalFailure if the matrix of the equations is not positive definite
 void extendHarmonically(const EdgeWeights& weights, const Points& places,
   const std::vector<int>& free, Columns& values, const Run& run = {});
 }

@@ -13,11 +13,11 @@
 namespace conformal
 {
 /// Cholesky factor of a sparse positive definite matrix, computed from small dense matrices called
-/// fronts, \cite Duff1983. The unknowns are divided into parts by nested dissection, see
-/// NestedDissection. Each part has a front. The first rows of a front are the unknowns of the part.
-/// The other rows are connected unknowns of later parts. Parts of one level are independent, and
-/// are factored concurrently. Large fronts are factored in panels, with a progress report after
-/// each panel.
+/// fronts, \cite Duff1983. Nested dissection divides the unknowns recursively into parts, see
+/// NestedDissection. Each part has a front. The first rows of a front belong to the unknowns of the
+/// part. The other rows belong to unknowns of later parts that are connected to the part. Parts of
+/// one level (recursion depth) are independent, and are factored concurrently. Large fronts are
+/// factored in panels (blocks of columns), with a progress report after each panel.
 ///
 /// Eigen's sparse factorizations compute one column after another, on one thread and without
 /// progress reports. For a mesh of 134,342 vertices (the scan Igea), these factorizations need 0.7
@@ -26,8 +26,8 @@ class MultifrontalCholesky
 {
 public:
   /// Factor a symmetric matrix. The off-diagonal entries are the weights times -1.
-  /// @param[in] places  position of each unknown in space. Positions determine only the elimination
-  ///   order.
+  /// @param[in] places  position of each unknown in space. Positions determine only the sequence in
+  ///   which unknowns are eliminated.
   /// @throws NumericalFailure if the matrix is not positive definite, or its factor has too many
   ///   entries. The factor has many entries if neighboring unknowns are far apart in space.
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
@@ -40,13 +40,15 @@ public:
 private:
   struct Front
   {
-    // Unknowns of this front that belong to later parts: their positions in the elimination order,
-    // ascending
+    // Unknowns of this front that belong to later parts, as ascending positions in
+    // NestedDissection::Order
     std::vector<int> Boundary;
     // Columns of the Cholesky factor for the unknowns of this part. The rows are the unknowns of
     // the part, then those of Boundary.
     Columns Factor;
-    Columns Update; // lower triangle of the Schur complement, which is added to the parent's front
+    // Lower triangle of the Schur complement: the matrix that remains when the part is eliminated.
+    // This matrix is added to the front of the parent part.
+    Columns Update;
   };
 
   void findBoundaries(const Adjacency& graph);

@@ -20,9 +20,10 @@ struct NestedDissection
   struct Part
   {
     int Begin, End; ///< first position of the part in Order, and the position after its last one
-    /// 0 for the last part; for any other part, the level of its parent plus 1
+    /// Depth in the tree of parts: 0 for the last part; for any other part, the level of its parent
+    /// plus 1
     int Level;
-    /// Indices in Parts of the last parts of both halves; none for a leaf
+    /// Indices in Parts of the children: the last parts of both halves; none for a leaf
     std::vector<int> Children;
   };
   std::vector<int> Order;     ///< unknown at each position of the elimination order

@@ -11,9 +11,9 @@ namespace conformal
 {
 /// Test whether a closed mesh was probably made by remesh(). Two conditions must hold. The smallest
 /// angle of a triangle, averaged over all triangles, must be at least 46 degrees. At least 99 % of
-/// the vertices must have five to seven triangles. Measured scans satisfy neither condition.
-/// Adaptive meshes learned by vtkConformalSOM with some thousand vertices pass the test. Surfaces
-/// remeshed by other programs may also pass.
+/// the vertices must belong to five to seven triangles. Measured scans satisfy neither condition.
+/// Meshes of some thousand vertices that vtkConformalSOM learned with MeshType Adaptive also pass
+/// the test. Surfaces remeshed by other programs may pass.
 bool hasEvenTriangles(const Mesh& mesh);
 }
 

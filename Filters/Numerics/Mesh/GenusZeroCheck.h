@@ -1,7 +1,7 @@
 /// Check whether a triangle mesh is a closed surface of genus zero, and list its faults. Repair
 /// some faults without changing the shape: weld points, orient triangles consistently, drop unused
-/// points. The check is our own construction: counts of edges, fans of triangles and components
-/// find every fault in one pass.
+/// points. The check is our own construction. Every fault is found in one pass, by counts of edges,
+/// components and fans (triangles connected by edges at a vertex).
 
 #ifndef ConformalGenusZeroCheck_h
 #define ConformalGenusZeroCheck_h
@@ -17,8 +17,8 @@ namespace conformal
 {
 using Edge = std::array<int, 2>; ///< two vertex ids
 
-/// Result of checkGenusZero(). Triangles with a repeated vertex are listed in DegenerateTriangles.
-/// All other members ignore such triangles.
+/// Result of checkGenusZero(). The member DegenerateTriangles lists triangles with a repeated
+/// vertex. All other members ignore triangles with a repeated vertex.
 struct GenusZeroReport
 {
   std::vector<Edge> BoundaryEdges; ///< edges of exactly one triangle, directed as in that triangle
@@ -31,13 +31,15 @@ struct GenusZeroReport
   std::vector<int> IsolatedPoints;      ///< points without triangles
   std::vector<int> NonFinitePoints;     ///< points with a coordinate that is NaN or infinite
   Index NumberOfTriangles = 0;          ///< number of triangles without a repeated vertex
-  Index NumberOfVertices = 0;           ///< number of vertices of the counted triangles
+  /// Number of vertices of triangles without a repeated vertex
+  Index NumberOfVertices = 0;
   Index NumberOfEdges = 0;
   Index NumberOfBoundaryLoops = 0; ///< number of connected sets of boundary edges
   Index NumberOfComponents = 0;    ///< number of sets of triangles connected by shared vertices
   Index EulerNumber = 0;           ///< number of vertices minus edges plus triangles
   bool Orientable = true;
-  bool InsideOut = false; ///< whether the mesh is consistently oriented with negative volume
+  /// Whether the mesh is oriented consistently, but with negative signedVolume()
+  bool InsideOut = false;
 
   bool closed() const { return this->NumberOfTriangles > 0 && this->BoundaryEdges.empty(); }
   bool manifold() const
@@ -53,8 +55,8 @@ struct GenusZeroReport
   }
 };
 
-/// Check the topology of a mesh. If points are given, also check for coordinates that are not
-/// finite, triangles without area and negative volume.
+/// Check the topology of a mesh. If points are given, also check for non-finite coordinates, for
+/// triangles without area, and for negative volume.
 ///
 /// @param[in] triangles         #F by 3 vertex ids
 /// @param[in] numberOfVertices  #V, the number of vertices, including isolated ones
@@ -79,7 +81,7 @@ double signedVolume(const PointView& points, const Triangles& triangles);
 /// Compute the sum of the areas of the triangles.
 double surfaceArea(const PointView& points, const Triangles& triangles);
 
-/// Weld points on boundary edges that have equal coordinates: replace them by the point with the
+/// Weld points of boundary edges: among points with equal coordinates, use only the point with the
 /// smallest id. A file that stores three separate points for each triangle needs this step. Points
 /// that are on no boundary edge are not welded. Closed surfaces that only touch thus stay separate.
 ///
@@ -94,15 +96,15 @@ Index mergeCoincidentBoundaryPoints(
 Index dropRepeatedVertices(Triangles& triangles);
 
 /// Reverse triangles until any two neighboring triangles contain their common edge in opposite
-/// directions. Each connected set of triangles has two parts with opposite orientations. The part
-/// with fewer triangles is reversed. If the parts have equal numbers of triangles, the part without
-/// the first triangle of the set is reversed.
+/// directions. In a connected set of triangles, those of one orientation form one part, all others
+/// a second part. The part with fewer triangles is reversed. If both parts have equally many
+/// triangles, the part with the first triangle of the set is kept.
 /// @pre the surface is orientable; otherwise some edges stay inconsistent
 /// @return number of triangles reversed
 Index orientConsistently(Triangles& triangles);
 
-/// Renumber the vertices of triangles without gaps, so that isolated vertices have no id. The
-/// sequence of the other vertices does not change.
+/// Renumber the vertices of triangles without gaps. Isolated vertices (vertices of no triangle) get
+/// no id. The sequence of the other vertices does not change.
 /// @param[in,out] triangles  #F by 3 ids in [0, numberOfVertices); on return, new ids
 /// @return old id of each remaining vertex, indexed by its new id
 std::vector<int> dropIsolatedPoints(Triangles& triangles, Index numberOfVertices);

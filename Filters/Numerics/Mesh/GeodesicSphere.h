@@ -25,17 +25,17 @@ int geodesicFrequencyFor(Index numberOfVertices);
 
 /// Make a geodesic sphere: subdivide every face of the icosahedron into f^2 triangles,
 /// \cite Liou2008 Eqs. 1 and 2. New vertices have equal distances on the flat face, and are then
-/// projected to the sphere, class I of \cite Kenner1976.
+/// projected to the sphere. This subdivision is class I of \cite Kenner1976.
 ///
 /// The first 12 vertices are those of the icosahedron. Vertex 0 is the north pole (0, 0, 1).
 ///
 /// @param[in] frequency  number f of segments per edge of the icosahedron, in [1, MaximumFrequency]
-/// @return mesh of 10 f^2 + 2 unit vectors (n_i in the paper) and 20 f^2 triangles
+/// @return mesh of 10 f^2 + 2 unit vectors (n_i in \cite Liou2008) and 20 f^2 triangles
 /// @throws std::invalid_argument if f is out of range
 Mesh makeGeodesicSphere(int frequency, const Run& run = {});
 
 /// Test whether a closed mesh has the connectivity of a geodesic sphere of any frequency f. A
-/// geodesic sphere has 10 f^2 + 2 vertices: 12 of them have 5 triangles, all others have 6.
+/// geodesic sphere has 10 f^2 + 2 vertices: 12 of them belong to 5 triangles, all others to 6.
 bool hasGeodesicConnectivity(const Triangles& triangles, Index numberOfVertices);
 
 /// Test whether a mesh on the sphere is a geodesic sphere. The mesh must have the connectivity of a

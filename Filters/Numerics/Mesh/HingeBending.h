@@ -1,5 +1,5 @@
-/// Compute the bending energy of a triangle mesh at its edges, \cite Wardetzky2007. The energy is a
-/// quadratic form in the positions of the vertices.
+/// Compute the bending energy of a triangle mesh, a sum over its edges, \cite Wardetzky2007. The
+/// energy is a quadratic form in the positions of the vertices.
 
 #ifndef ConformalHingeBending_h
 #define ConformalHingeBending_h
@@ -17,24 +17,26 @@ namespace conformal
 /// triangles at an edge e.
 ///
 /// Each corner of a hinge has a number k, computed from the cotangents of the angles at e. Let k x
-/// be the sum of these four numbers times the corner positions x. Let u and v be the unit vectors
-/// that point from e into the two triangles, perpendicular to e. Then k x = |e| (u + v). A flat
-/// hinge has k x = 0 for any shape of its triangles. A hinge bent by an angle theta has |k x| = 2
-/// |e| sin(theta / 2). Unlike the uniform Laplacian, this energy does not need nearly equilateral
-/// triangles. This energy also detects folds of thin triangles. For hinges of needles (very thin
-/// triangles), the numbers k are scaled down to at most 4. Otherwise the equations of this energy
-/// would be ill-conditioned.
+/// denote the sum over the four corners of the number k times the position x. Let u and v be the
+/// unit vectors that point from e into the two triangles, perpendicular to e. Then k x = |e|
+/// (u + v). A flat hinge has k x = 0 for any shape of its triangles. A hinge bent by an angle theta
+/// has |k x| = 2 |e| sin(theta / 2). At folds, |k x| is large even if the triangles are thin. In
+/// contrast, the uniform Laplacian (defined below) is only suitable for nearly equilateral
+/// triangles. At needles (very thin triangles), the four numbers k are scaled down to a magnitude
+/// of at most 4. Larger numbers would make the equations for minimizing the energy ill-conditioned.
 ///
-/// Let s be the mean stiffness of the two vertices of an edge. The energy is the sum of s (k x)^2
-/// over all edges, times the constant 1/14. Let L be the uniform Laplacian. The constant makes the
-/// energy of equilateral triangles as stiff as the sum of s (L x)^2 over all vertices.
+/// The stiffness is a given weight at each vertex. Let s be the mean stiffness of the two vertices
+/// of an edge. The energy is the sum of s (k x)^2 over all edges, times the constant 1/14. Let L x
+/// be the uniform Laplacian of a vertex: its position minus the mean of its neighbors. For
+/// equilateral triangles, the constant makes this energy about as stiff as the sum of s (L x)^2
+/// over all vertices.
 class HingeBending
 {
 public:
   /// @param[in] triangles  #F by 3 ids of a closed manifold; must outlive this object
   /// @param[in] around     result of vertexTriangles() for these triangles; must outlive this
   ///   object
-  /// @param[in] places     #V by 3 positions that define the shape of the hinges
+  /// @param[in] places     #V by 3 positions from which the numbers k are computed
   /// @param[in] stiffness  #V values, the stiffness at each vertex
   HingeBending(const conformal::Triangles& triangles, const Adjacency& around, const Points& places,
     const Eigen::VectorXd& stiffness, const Run& run);
@@ -43,12 +45,12 @@ public:
   /// forceAt().
   void bend(const Points& x, const Run& run);
 
-  /// Return half the gradient of the energy by the position of a vertex. The gradient is evaluated
-  /// at the positions passed to bend().
+  /// Return half the gradient of the energy with respect to the position of a vertex. The gradient
+  /// is evaluated at the positions passed to bend().
   Vector3 forceAt(int vertex) const;
 
-  /// Return half the second derivative of the energy by a coordinate of a vertex. All three
-  /// coordinates have equal second derivatives.
+  /// Return half the second derivative of the energy with respect to a coordinate of a vertex. All
+  /// three coordinates have equal second derivatives.
   double diagonalAt(int vertex) const;
 
 private:

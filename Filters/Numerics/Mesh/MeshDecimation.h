@@ -1,4 +1,5 @@
-/// Decimate a closed surface of genus zero by quadric error, \cite Garland1997.
+/// Decimate a closed surface of genus zero. Vertices whose removal changes the shape least (minimum
+/// quadric error) are removed first, \cite Garland1997.
 
 #ifndef ConformalMeshDecimation_h
 #define ConformalMeshDecimation_h
@@ -17,8 +18,8 @@ struct DecimatedMesh : Mesh
   std::vector<int> PointIds; ///< #W values: id of the input point at each vertex
 };
 
-/// Remove vertices of a closed surface of genus zero by half-edge collapses, see QuadricCollapse.
-/// The topology does not change.
+/// Remove vertices of a closed surface of genus zero by half-edge collapses, which merge a vertex
+/// into a neighbor. See QuadricCollapse. The topology does not change.
 ///
 /// @param[in] mesh              mesh to decimate; finite and consistently oriented. Points without
 ///   triangles are dropped.

@@ -1,5 +1,5 @@
-/// Find neighboring vertices and triangles of a triangle mesh, and partition vertices into sets
-/// without neighbors.
+/// Find neighboring vertices and triangles of a triangle mesh. Partition vertices into sets in
+/// which no two vertices are neighbors.
 
 #ifndef ConformalMeshTopology_h
 #define ConformalMeshTopology_h
@@ -34,8 +34,8 @@ Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices);
 Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 
 /// Find the triangle across each edge. Entry (r, k) belongs to edge (k, k + 1 mod 3) of triangle r.
-/// The value is the id of the triangle that contains this edge in the opposite direction. If no
-/// triangle contains it, the value is -1.
+/// The value is the id of the triangle that contains this edge in the opposite direction. If there
+/// is no such triangle, the value is -1.
 /// @pre no edge has the same direction in two triangles, see checkGenusZero()
 Triangles triangleNeighbors(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
@@ -52,9 +52,10 @@ Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const R
 /// Function that calls `visit` with each neighbor of a vertex.
 using VisitNeighbors = std::function<void(int vertex, const std::function<void(int)>& visit)>;
 
-/// Partition vertices into independent sets. No two vertices of an independent set are neighbors,
-/// so that all vertices of a set can move concurrently. The method is greedy coloring in the given
-/// sequence of vertices. Each vertex is added to the first set that contains none of its neighbors.
+/// Partition vertices into independent sets. No two vertices of an independent set are neighbors.
+/// Threads can therefore move all vertices of a set concurrently, even if each move depends on the
+/// neighbors. The method is greedy coloring in the given sequence of vertices. Each vertex is added
+/// to the first set that contains none of its neighbors.
 /// @param[in] vertices  ids in [0, numberOfVertices), each once
 std::vector<std::vector<int>> independentSets(
   const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors);

@@ -1,5 +1,6 @@
 /// Build a progressive mesh: a tetrahedron, and the vertex splits that restore a closed surface
-/// from the tetrahedron, \cite Hoppe1996.
+/// from the tetrahedron, \cite Hoppe1996. A half-edge collapse removes a vertex by merging it into
+/// a neighbor. A vertex split inserts the vertex again.
 
 #ifndef ConformalProgressiveMesh_h
 #define ConformalProgressiveMesh_h
@@ -17,12 +18,13 @@ namespace conformal
 /// Tetrahedron, and the sequence of vertex splits that restores a mesh from the tetrahedron.
 struct ProgressiveMesh
 {
-  VertexRings Rings; ///< connectivity of the tetrahedron
+  VertexRings Rings; ///< connectivity of the tetrahedron; for takeOut(), of the remaining mesh
   /// Arguments of VertexRings::split() for each split, in the sequence of the splits
   std::vector<QuadricCollapse::Collapse> Splits;
 };
 
-/// Build a progressive mesh by half-edge collapses, those of minimum quadric error first.
+/// Build a progressive mesh by half-edge collapses. Collapses of minimum quadric error, which
+/// change the shape least, are made first.
 /// @param[in] mesh  mesh that passes requireGenusZero(), with coordinates of magnitude about 1
 ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
   QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Run& run = {});
@@ -36,10 +38,10 @@ ProgressiveMesh makeProgressiveMesh(
 
 /// Remove given vertices of a mesh in rounds. No two vertices that are removed in a round share an
 /// edge.
-/// @param[in] vertices  ids of the vertices to remove. A vertex is kept if no collapse of the
-///   vertex preserves the topology.
-/// @param[in] maximum   maximum number of vertices to remove; at most the number of vertices in use
-///   minus 4
+/// @param[in] vertices  ids of the vertices to remove. A vertex stays if each of its collapses
+///   would change the topology.
+/// @param[in] maximum   maximum number of vertices to remove; at most the number of vertices of all
+///   triangles, minus 4
 /// @return connectivity of the remaining mesh, and the splits that restore the removed vertices
 ProgressiveMesh takeOut(
   VertexRings rings, std::vector<int> vertices, Index maximum, const Run& run = {});

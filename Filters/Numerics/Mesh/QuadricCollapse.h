@@ -1,5 +1,5 @@
-/// Collapse half-edges of a closed mesh one by one, those of minimum quadric error first,
-/// \cite Garland1997.
+/// Collapse half-edges of a closed mesh one by one, \cite Garland1997. Collapses of minimum quadric
+/// error, which change the shape least, are made first.
 
 #ifndef ConformalQuadricCollapse_h
 #define ConformalQuadricCollapse_h
@@ -12,14 +12,16 @@
 
 namespace conformal
 {
-/// Half-edge collapses of a closed mesh. Each call of next() makes the collapse of minimum cost.
-/// The cost of a collapse is the quadric error, \cite Garland1997, and a small penalty for large
-/// and thin triangles. The penalty distributes the remaining vertices evenly in flat parts.
+/// Half-edge collapses of a closed mesh. A half-edge collapse merges a vertex into one of its
+/// neighbors. Each call of next() makes the collapse of minimum cost. The cost is the quadric
+/// error, plus a small penalty for large and thin triangles. The quadric error is the sum of
+/// squared distances from planes of triangles, weighted by area, \cite Garland1997. In flat parts,
+/// where the quadric error is 0, the penalty distributes the remaining vertices evenly.
 ///
-/// Unwanted are collapses after which a triangle is flipped or very thin, or a vertex has more than
-/// ten neighbors. These collapses have a much higher cost, and are therefore made last. Every
-/// closed surface of genus zero has a vertex with at most five neighbors. This vertex can collapse
-/// into one of its neighbors. The surface can therefore be reduced to a tetrahedron.
+/// A collapse is unwanted if afterwards a triangle is flipped or very thin, or a vertex has more
+/// than ten neighbors. Unwanted collapses have a much higher cost, and are therefore made last.
+/// Every closed surface of genus zero has a vertex with at most five neighbors. This vertex can
+/// collapse into one of its neighbors. The surface can therefore be reduced to a tetrahedron.
 class QuadricCollapse
 {
 public:
@@ -43,14 +45,14 @@ public:
   struct Collapse
   {
     int Vertex; ///< id of the removed vertex
-    /// Neighbors of the removed vertex before the collapse, starting with the vertex into which it
-    /// collapsed
+    /// Neighbors of the removed vertex before the collapse, starting with the neighbor into which
+    /// the removed vertex collapsed
     Ring Neighbors;
   };
 
   /// Remove the vertex whose collapse has minimum cost. If several vertices have this cost, remove
   /// the one with the smallest id.
-  /// @pre more than four vertices are in use
+  /// @pre more than four vertices are in use (belong to triangles)
   Collapse next();
 
 private:
@@ -89,7 +91,8 @@ private:
   std::vector<Quadric> Quadrics;
   // maximum aspect ratio of triangles (1 if equilateral) accepted at each vertex
   std::vector<double> Aspects;
-  // stamp of the current candidate of each vertex; candidates with older stamps are outdated
+  // stamp (counter) of the latest candidate of each vertex; queued candidates with lower stamps are
+  // outdated
   std::vector<int> Stamps;
   std::priority_queue<Candidate> Queue;
 };

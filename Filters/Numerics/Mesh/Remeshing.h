@@ -13,30 +13,32 @@ struct RemeshingOptions
 {
   Index NumberOfVertices = 12962; ///< target number of vertices, at least 4
   int NumberOfIterations = 3;     ///< number of iterations, each with the four steps of remesh()
-  /// Whether the result has exactly NumberOfVertices vertices and edges that are flipped to be
-  /// Delaunay. If false, the number of vertices is approximate.
+  /// Whether the result has exactly NumberOfVertices vertices. If true, edges whose opposite angles
+  /// have a sum above pi are also flipped (Delaunay criterion). If false, the number of vertices is
+  /// approximate.
   bool MeetNumber = false;
 };
 
 /// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. The target
-/// length of edges is computed for equilateral triangles. These triangles have the area of the
-/// surface and the target number of vertices. Each iteration has these steps:
+/// length of edges is that of a mesh of equilateral triangles with equal area and the target number
+/// of vertices. Each iteration has these steps:
 /// - Split edges longer than 4/3 of the target length, the longest first.
 /// - Collapse edges shorter than 4/5 of the target length, the shortest first.
-/// - Flip edges if this makes the numbers of neighbors of their vertices closer to six.
+/// - Flip an edge if the vertices of its two triangles then have numbers of neighbors closer to
+///   six.
 /// - Move each vertex along the surface toward the centroid of its triangles.
 ///
 /// No step changes the topology. No step makes a needle (very thin triangle) or rotates the normal
-/// of a triangle by 60 degrees or more. If MeetNumber is true, a strongly folded surface may keep
-/// too many vertices under these conditions. Collapses are then made without these conditions.
+/// of a triangle by 60 degrees or more. Under these conditions, a strongly folded surface may keep
+/// too many vertices. If MeetNumber is true, further collapses are made without these conditions.
 /// Vertices are not projected back to the input surface. The caller should therefore fit the result
-/// to the data again.
+/// to the original data (surface or points) again.
 ///
 /// Implementation note: the splits, collapses and flips are made in rounds. Each round first lists
-/// the possible operations, on all threads. The operations are then applied serially in sequence of
-/// priority: length of the edge, or gain of the flip. An operation is skipped if another operation
-/// of the round changed one of its vertices. The result has the same bits for any number of
-/// threads.
+/// the possible operations, on all threads. The operations are then applied serially. Collapses
+/// start with the shortest edge, splits with the longest, flips with the largest improvement. An
+/// operation is skipped if another operation of the round changed one of its vertices. The result
+/// has the same bits for any number of threads.
 ///
 /// @param[in,out] mesh  mesh to replace: finite, a closed manifold, consistently oriented, without
 ///   unused positions

@@ -1,6 +1,6 @@
-/// Cut each triangle of a closed mesh into smaller triangles of the same shape. The numbering of
-/// new points by edges is our own construction. With this numbering, ids do not depend on the
-/// sequence in which triangles are cut.
+/// Cut each triangle of a closed mesh into smaller triangles of the same shape. New points on edges
+/// are numbered before all points inside triangles, which is our own construction. Ids thus do not
+/// depend on the sequence in which triangles are cut.
 
 #ifndef ConformalTriangleSubdivision_h
 #define ConformalTriangleSubdivision_h
@@ -14,12 +14,13 @@ namespace conformal
 /// triangles of an edge share the new points on this edge.
 ///
 /// The #V old vertices come first, with unchanged ids. The k - 1 points on each edge follow,
-/// starting near its vertex with the lower id. The points inside the triangles come last. The
-/// pieces of triangle r have the ids r k^2 to (r + 1) k^2 - 1.
+/// starting near the end of the edge with the lower vertex id. The points inside the triangles come
+/// last. The pieces of triangle r have the ids r k^2 to (r + 1) k^2 - 1.
 ///
 /// @param[in] mesh          closed manifold, consistently oriented
 /// @param[in] subdivisions  number k of segments per edge, at least 1
-/// @return mesh of #F k^2 triangles. If its genus is zero, the mesh has (#V - 2) k^2 + 2 vertices.
+/// @return mesh of #F k^2 triangles. If the genus is zero, the result has (#V - 2) k^2 + 2
+///   vertices.
 /// @throws std::invalid_argument if k is below 1, or ids do not fit into an int
 /// @throws Aborted
 Mesh subdivide(const Mesh& mesh, int subdivisions, const Run& run = {});

@@ -1,4 +1,4 @@
-/// Compute vertex normals of a triangle mesh. The normals of the triangles are weighted by area, as
+/// Compute vertex normals of a triangle mesh: means of the triangles' normals, weighted by area, as
 /// discussed in \cite Max1999.
 
 #ifndef ConformalVertexNormals_h

@@ -10,7 +10,7 @@
 namespace conformal
 {
 /// Neighbors of a vertex, counter-clockwise seen from outside. The rings define a closed mesh: the
-/// triangles of vertex v are (v, ring[i], ring[i + 1]).
+/// triangles of vertex v are (v, ring[i], ring[i + 1]), where the first neighbor follows the last.
 using Ring = std::vector<int>;
 
 /// Connectivity of a closed triangle mesh. Edits change the triangles, but not the ids of vertices.
@@ -26,9 +26,9 @@ public:
   const Ring& operator[](int v) const { return this->Rings[v]; }
   Index size() const { return static_cast<Index>(this->Rings.size()); }
 
-  /// Test whether the mesh stays a closed manifold of the same genus if v collapses into its
-  /// neighbor u. This is true if v and u have exactly two common neighbors, the vertices opposite
-  /// their common edge.
+  /// Test whether the mesh stays a closed manifold of the same genus if v collapses into (merges
+  /// with) its neighbor u. This is true if v and u have exactly two common neighbors, the vertices
+  /// opposite their common edge.
   /// @pre more than four vertices are in use
   bool canCollapse(int v, int u) const;
 
@@ -36,7 +36,7 @@ public:
   /// @return ring of v before the collapse, starting with u
   Ring collapse(int v, int u);
 
-  /// Undo the collapse of v. Undo all later collapses first.
+  /// Undo the collapse of v. All later collapses must already be undone.
   /// @param[in] ring  result of collapse() for v
   void split(int v, const Ring& ring);
 
@@ -53,8 +53,9 @@ public:
   void flip(int a, int b);
 
   /// Test whether the mesh stays a closed manifold if the edge between a and b is flipped. Two
-  /// conditions are tested. Vertices a and b each have more than three neighbors. The two vertices
-  /// opposite the edge are not neighbors.
+  /// conditions must hold:
+  /// - Vertices a and b each have more than three neighbors.
+  /// - The two vertices opposite the edge are not neighbors.
   bool canFlip(int a, int b) const;
 
   /// Vertices opposite the edge between a and b. The triangles of the edge are (a, b, Left) and (b,

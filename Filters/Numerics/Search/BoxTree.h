@@ -44,7 +44,7 @@ struct BoxTree
   {
     Box Bounds;
     int Second = 0; ///< index of an inner node's second child; unused in a leaf
-    int First = 0;  ///< position in Items of a leaf's first item
+    int First = 0;  ///< index in Items of a leaf's first item
     int Count = 0;  ///< number of items of a leaf; 0 for an inner node
   };
 

@@ -1,5 +1,4 @@
-/// Find the point of a triangle mesh that is closest to a query point, called foot point,
-/// \cite Ericson2005.
+/// Find the foot point of a query point: the closest point of a triangle mesh, \cite Ericson2005.
 
 #ifndef ConformalTriangleTree_h
 #define ConformalTriangleTree_h
@@ -59,14 +58,14 @@ private:
   {
     Vector3 A, B, C;
   };
-  // Four boxes whose distances are computed together by SIMD instructions. The boxes are the
-  // grandchildren of a node of the binary tree.
+  // Four boxes, whose distances from a query point are computed together by SIMD instructions. The
+  // boxes are the grandchildren of a node of the binary tree.
   struct Quad
   {
     Doubles Lower[3], Upper[3];
     /// Index in Quads of the child of each box; -1 for a leaf or an unused box
     int Next[DoubleLanes];
-    int First[DoubleLanes]; ///< position in Items of a leaf's first triangle
+    int First[DoubleLanes]; ///< index in Items of a leaf's first triangle
     int Count[DoubleLanes]; ///< number of triangles of a leaf; 0 otherwise
   };
   int addQuad(const BoxTree& tree, int node, const Run& run);
@@ -77,7 +76,7 @@ private:
   std::vector<int> Items;      ///< ids of triangles in the sequence of the tree
   std::vector<Quad> Quads;     ///< nodes of the tree; a parent precedes its children
   std::vector<Corners> Placed; ///< corners of the triangles in Items
-  std::vector<int> PlaceOf;    ///< position in Items of each triangle
+  std::vector<int> PlaceOf;    ///< index in Items of each triangle
 };
 }
 

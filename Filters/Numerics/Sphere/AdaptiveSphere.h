@@ -35,25 +35,27 @@ struct AdaptiveSphereLimits
 /// The method is Delaunay refinement of an icosahedron, as in \cite Chew1993 for curved surfaces. A
 /// triangle is divided by a new point at the center of its circumcircle. Triangles with an angle
 /// below MinimumAngle are divided first. If there are none, the triangle with the largest ratio of
-/// actual size to target size is divided. The density determines the target size. Refinement ends
-/// at the target number of points.
+/// actual size to target size is divided. The density at the triangle determines its target size.
+/// Refinement ends at the target number of points.
 ///
 /// The distance from a new point to any other point exceeds the shortest edge of the divided
-/// triangle. Refinement therefore ends for any density. Where the density jumps, the size of
-/// triangles changes gradually. Finally, in SmoothingRounds rounds, points are moved towards the
-/// centroid of their triangles and edges are flipped. Moves and flips that would make an angle
-/// smaller than MinimumAngle are skipped.
+/// triangle. Points thus keep a minimum distance, and refinement ends for any density. Where the
+/// density jumps, the size of triangles changes gradually. After the refinement, points are moved
+/// towards the centroid of their triangles, and edges are flipped, in SmoothingRounds rounds. A
+/// move is skipped if the smallest angle around the point would decrease to below 35 degrees. A
+/// flip is made only if it increases the smallest angle of its two triangles.
 ///
-/// Implementation note: target sizes have a random factor. Without this factor, all triangles in a
-/// region of constant density would be divided at about the same time. Triangles that are never
-/// divided would then have edges up to 1.7 times as long as divided ones.
+/// Implementation note: the ratios of actual size to target size are multiplied by random factors.
+/// Otherwise, all triangles in a region of constant density would be divided at about the same
+/// time. If refinement ended during this time, undivided triangles would have edges up to 1.7 times
+/// too long.
 ///
 /// @return mesh with unit vectors as positions, and triangles counter-clockwise seen from outside.
-///   The number of points differs from the target number by at most 2 %. Only if the density
-///   requires triangles with a circumradius below 1e-7 may the number be lower. Triangles of this
-///   size are not divided, because rounding of positions would distort them.
-/// @throws std::invalid_argument if an option is out of range, or the density is 0 everywhere.
-///   densitiesOf() lists further reasons.
+///   The number of points differs from the target number by at most 2 %. The number may be lower if
+///   the density requires triangles with a circumradius below 1e-7. Triangles of this size are not
+///   divided, because rounding of positions would distort them.
+/// @throws std::invalid_argument if an option is out of range, or the density is 0 everywhere. Also
+///   thrown for the reasons listed at densitiesOf().
 /// @throws Aborted
 Mesh makeAdaptiveSphere(
   const SphereDensity& density, const AdaptiveSphereOptions& options = {}, const Run& run = {});

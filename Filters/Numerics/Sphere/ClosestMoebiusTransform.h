@@ -13,7 +13,7 @@ namespace conformal
 {
 /// Find the Moebius transform that minimizes the weighted mean square distance of the transformed
 /// positions `from` to the positions `to`.
-/// @param[in] from, to  #P by 3 unit vectors, at least three different ones in each matrix
+/// @param[in] from, to  #P by 3 unit vectors; each matrix has at least three different rows
 /// @param[in] weights   #P weights of the pairs, >= 0
 MoebiusTransform closestMoebiusTransform(
   const Points& from, const Points& to, const Eigen::VectorXd& weights, const Run& run = {});

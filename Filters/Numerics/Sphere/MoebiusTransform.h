@@ -8,7 +8,7 @@
 namespace conformal
 {
 /// Map of the unit ball to itself that is conformal and preserves orientation. The map first moves
-/// the point Center of the ball to the origin, without rotation. Then it rotates the ball.
+/// the point Center of the ball to the origin, without rotation. Then the map rotates the ball.
 struct MoebiusTransform
 {
   /// Point of the ball that is moved to the origin; its length is below 1
@@ -26,8 +26,8 @@ struct MoebiusTransform
 Vector3 insideBall(const Vector3& x);
 
 /// Compute the member Center of the composition of two transforms without rotation. The first
-/// transform has the center `center`, the second one `step`. The result is the point that the first
-/// transform moves to `step`.
+/// transform has the Center `center`, the second has the Center `step`. The result is the point
+/// that the first transform moves to `step`.
 Vector3 combinedCenter(const Vector3& center, const Vector3& step);
 
 /// Find the rotation that minimizes the weighted mean square distance of the rotated directions
@@ -39,7 +39,8 @@ Eigen::Matrix3d closestRotation(
 
 /// Find the transform without rotation after which the weighted mean of the positions is the center
 /// of the sphere. If one position has half of the total weight or more, this transform may not
-/// exist, or not be unique. The result is then the best transform found.
+/// exist, or not be unique. The result is then the transform found whose mean is nearest to the
+/// center.
 /// @param[in] spherePositions  #P by 3 unit vectors
 /// @param[in] weights          #P weights, >= 0, not all zero
 MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::VectorXd& weights);

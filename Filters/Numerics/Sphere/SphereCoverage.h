@@ -1,5 +1,6 @@
-/// Measure whether a map of a surface to the sphere is one-to-one. Solid angles are computed by the
-/// formula of \cite VanOosterom1983.
+/// Measure whether a map of a surface to the sphere is one-to-one. Count how often the map covers
+/// the sphere, and its folds (flipped triangles). Solid angles are computed by the formula of
+/// \cite VanOosterom1983.
 
 #ifndef ConformalSphereCoverage_h
 #define ConformalSphereCoverage_h
@@ -13,11 +14,11 @@ namespace conformal
 {
 struct SphereCoverage
 {
-  /// Number of times that the map covers the sphere. This number is the sum of the triangles'
-  /// signed solid angles, divided by 4 pi. The degree of a one-to-one map is 1, or -1 if the map
-  /// reverses orientation.
+  /// Degree of the map: number of times that the map covers the sphere. The degree is the sum of
+  /// the triangles' signed solid angles, divided by 4 pi. The degree of a one-to-one map is 1, or
+  /// -1 if the map reverses orientation.
   int Degree = 0;
-  /// Number of triangles that are clockwise seen from outside, beyond rounding errors
+  /// Number of folds: triangles that are clockwise seen from outside, by more than rounding errors
   Index NumberOfFolds = 0;
 };
 
@@ -28,8 +29,8 @@ struct SphereCoverage
 SphereCoverage measureSphereCoverage(
   const Points& positions, const Triangles& triangles, const Run& run = {});
 
-/// Return the triangles of a sphere map, counter-clockwise on the sphere seen from outside. If the
-/// map reverses orientation, all triangles are reversed.
+/// Return the triangles of a map to the sphere, oriented counter-clockwise on the sphere seen from
+/// outside. If the map reverses orientation, all triangles are reversed.
 /// @param[in] map  name of the map for error messages, such as "the map to the sphere"
 /// @throws std::invalid_argument if the map does not cover the sphere exactly once or has folds
 Triangles turnedToCoverOnce(

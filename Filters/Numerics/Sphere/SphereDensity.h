@@ -1,6 +1,6 @@
 /// Compute densities of points on the sphere, from which makeAdaptiveSphere() builds a mesh. The
-/// representation of densities is our own construction: functions with directions at which they are
-/// sampled. Densities given by images and densities given by surfaces thus have one interface.
+/// representation of a density is our own construction: a function, and the directions at which the
+/// function is sampled. Densities from images and from surfaces thus have one interface.
 
 #ifndef ConformalSphereDensity_h
 #define ConformalSphereDensity_h
@@ -14,7 +14,8 @@
 
 namespace conformal
 {
-/// Relative density of points on the sphere; a constant factor has no effect.
+/// Relative density of points on the sphere. Multiplying a density by a constant does not change
+/// the mesh built from it.
 struct SphereDensity
 {
   /// Function that returns the density at a direction, a unit vector. Densities are finite and at
@@ -24,8 +25,8 @@ struct SphereDensity
   /// Directions at which the density is sampled. Details of the density that are smaller than the
   /// distance between directions may be missed.
   Points Directions; ///< #D by 3 unit vectors, at least one
-  /// #D areas: the area of the sphere that each direction represents, in any unit; finite, at least
-  /// 0
+  /// #D areas: the part of the sphere that each direction represents, in any unit of area; finite,
+  /// at least 0
   std::vector<double> Areas;
 };
 
@@ -39,8 +40,8 @@ std::vector<double> densitiesOf(const SphereDensity& density, const Run& run = {
 /// @throws std::invalid_argument if all densities are 0, or if the sum overflows
 double integralOf(const SphereDensity& density, const std::vector<double>& densities);
 
-/// Convert a density on a surface to a density on the sphere. If the sphere map divides an area by
-/// a factor, the density is multiplied by this factor.
+/// Convert a density on a surface to a density on the sphere, by the surface's map to the sphere.
+/// If the map divides an area by a factor, the density is multiplied by this factor.
 ///
 /// @param[in] surface  surface whose map covers the sphere exactly once; the map may reverse
 ///   orientation
@@ -54,12 +55,13 @@ SphereDensity densityOnSurface(
 /// Estimate the bending at each vertex: the sum of the absolute values of the principal curvatures.
 /// The bending of an edge is its length times the angle between the normals of its two triangles.
 /// Let E be the sum of the bending of all edges at the vertex. Let A be the area of all triangles
-/// at the vertex. The estimate is (E / 2) / (A / 3).
+/// at the vertex. The estimate is (E / 2) / (A / 3), because an edge has two vertices, and a
+/// triangle has three.
 std::vector<double> vertexBending(const Mesh& surface);
 
-/// Compute weights for densityOnSurface() from the bending of the surface. With these weights, half
-/// of the points are distributed evenly over the surface. The density of the other half is
-/// proportional to vertexBending().
+/// Compute weights for densityOnSurface() from the bending of the surface. If a mesh is built with
+/// these weights, half of its points are distributed evenly over the surface. The density of the
+/// other half is proportional to vertexBending().
 std::vector<double> weightsByBending(const Mesh& surface);
 
 /// Compute the mean of the values of the triangles around each vertex, weighted by the areas of the
@@ -67,7 +69,7 @@ std::vector<double> weightsByBending(const Mesh& surface);
 /// @param[in] values  #F values of the triangles
 std::vector<double> vertexMeans(const Mesh& surface, const std::vector<double>& values);
 
-/// Test whether a density is positive at any of its Directions.
+/// Test whether a density is positive at one or more of its Directions.
 /// @throws std::invalid_argument if a density is negative or not finite
 bool isAnywhere(const SphereDensity& density, const Run& run = {});
 

@@ -1,6 +1,7 @@
-/// Find the triangle of a sphere map that contains a direction. The test is our own construction:
-/// its signs are computed identically for both triangles of an edge. No direction is thus outside
-/// of both triangles, however small they are.
+/// Find the triangle of a sphere map (triangle mesh on the unit sphere) that contains a direction.
+/// Our own construction is the test on which side of an edge a direction is. For both triangles of
+/// the edge, the test computes with the same numbers. No direction near the edge is thus outside of
+/// both triangles, however small they are.
 
 #ifndef ConformalSphereLocator_h
 #define ConformalSphereLocator_h
@@ -22,15 +23,15 @@ struct SphereLocation
   Vector3 Barycentric = Vector3::Zero();
 };
 
-/// Search structure that finds the triangle that contains a direction. For triangles of any size,
-/// results are exact up to the rounding of the positions. Very small triangles are common. For
-/// example, a conformal map of a long limb, such as a leg, can multiply areas by exp(-16).
+/// Search structure for the triangle that contains a direction. For triangles of any size, results
+/// are exact up to the rounding of the positions. Very small triangles are common. For example, a
+/// conformal map of a long limb, such as a leg, can multiply areas by exp(-16).
 ///
 /// The sign of a determinant determines on which side of an edge a direction is. The determinant is
 /// computed from differences between the two vertices of the edge and the direction. For both
 /// triangles of an edge, the vertices are used in the same sequence. The two signs are therefore
 /// consistent. If several triangles contain the direction, the one with the smallest id is
-/// returned. Near a vertex, rounding may result in no triangle that contains the direction. Then
+/// returned. Near a vertex, the test may fail for all triangles, because of rounding. In this case,
 /// the triangle that misses the direction by the smallest amount is returned.
 ///
 /// The cost of a query is about logarithmic in the number of triangles. Several threads may query
@@ -58,7 +59,7 @@ private:
   struct Corners
   {
     Vector3 Positions[3];
-    // position in Tree.Items of the triangle across each edge k; edge k is opposite corner k
+    // index in Tree.Items of the triangle across each edge k; edge k is opposite corner k
     int Across[3] = { -1, -1, -1 };
     bool Ascending[3] = {}; // whether each edge k starts at its vertex with the lower id
   };
@@ -71,7 +72,7 @@ private:
 
   BoxTree Tree;
   std::vector<Corners> Placed; // corners of the triangles in Tree.Items
-  std::vector<int> PlaceOf;    // position in Tree.Items of each triangle
+  std::vector<int> PlaceOf;    // index in Tree.Items of each triangle
 };
 }
 

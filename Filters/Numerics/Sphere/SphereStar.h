@@ -1,5 +1,5 @@
 /// Find valid and optimal positions on the sphere for a vertex, while its neighbors are fixed,
-/// \cite Praun2003.
+/// \cite Praun2003. A position is valid if no triangle at the vertex is flipped.
 
 #ifndef ConformalSphereStar_h
 #define ConformalSphereStar_h
@@ -13,22 +13,24 @@
 
 namespace conformal
 {
-/// Minimum determinant of the three unit vectors of a triangle, twice its minimum area. Triangles
-/// above this minimum do not become flipped if other programs round the unit vectors.
+/// Minimum determinant of the three unit vectors of a triangle. The determinant is about twice the
+/// area. Triangles above this minimum keep their orientation if other programs round the unit
+/// vectors.
 constexpr double MinimumDeterminant = 1e-13;
 
 /// Energy of a map of a surface to the sphere, with terms for angles and for areas. The energy is
 /// the sum, over all triangles, of
 ///     S ((S/A)^AreaExponent + AreaWeight (S/A)^2) (D/A)^AngleExponent
 /// where S is the area of a triangle on the surface. Areas of the surface are scaled so that their
-/// total is the area of the unit sphere. A is the area of the triangle on the sphere, and D is the
-/// Dirichlet energy of its map. D/A is 1 if the map is conformal, and larger otherwise. If the map
-/// preserves areas, S/A is 1 for all triangles.
+/// total is the area of the unit sphere. A is the area of the triangle on the sphere. D is the
+/// Dirichlet energy of the map of the triangle: half the integral of its squared derivative. D/A is
+/// 1 if the map is conformal, and larger otherwise. If the map preserves areas, S/A is 1 for all
+/// triangles.
 ///
 /// Implementation note: A is computed as half the determinant of the three unit vectors, slightly
-/// less than the area. The energy is therefore unbounded for triangles that are almost flipped. The
-/// square of SmallArea is added to AreaWeight S^2. The addition has an effect only where areas
-/// would otherwise underflow, for example at the end of a leg.
+/// less than the area. As a triangle is about to flip, A tends to 0, and the energy to infinity.
+/// The square of SmallArea is added to AreaWeight S^2. The sum differs noticeably only where areas
+/// are too small for double precision, for example at the end of a leg.
 struct SphereEnergy
 {
   double AreaExponent = 0.35;
@@ -47,8 +49,9 @@ inline double determinant(const Vector3& a, const Vector3& b, const Vector3& c)
 /// Properties of a triangle of the surface that SphereEnergy needs.
 struct SourceTriangle
 {
-  double Area = 0.0;                  ///< area S, see SphereEnergy
-  std::array<double, 3> Cotangents{}; ///< cotangents of the angles, divided by 4
+  double Area = 0.0; ///< area S, see SphereEnergy
+  /// Cotangents of the angles, divided by 4: coefficients of the squared edge lengths in D
+  std::array<double, 3> Cotangents{};
 };
 
 /// Triangle at a vertex v. Its corners are v, Neighbor, and the next neighbor counter-clockwise.
@@ -59,18 +62,18 @@ struct Corner
 };
 
 /// Find a valid position for a vertex inside the polygon of its neighbors (ring). The kernel of the
-/// ring is the set of positions from which all sides of the ring are counter-clockwise. The result
-/// is the centroid of the kernel. The centroid is computed in a plane to which the sphere is
-/// projected from its center.
-/// @param[in] ring  ids of the neighbors in `positions`. Seen from the first neighbor, all sides
-///   that do not contain it are counter-clockwise.
-/// @return unit vector; no value if no position gives all triangles a determinant >=
+/// ring is the set of positions that form counter-clockwise triangles with all sides of the ring.
+/// The result is the centroid of the kernel. To compute the centroid, the sphere is projected from
+/// its center to a plane.
+/// @param[in] ring  ids of the neighbors in `positions`. The first neighbor must form
+///   counter-clockwise triangles with all sides that do not contain it.
+/// @return unit vector, or no value if every position leaves a triangle with a determinant below
 ///   MinimumDeterminant
 std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring);
 
-/// Move a vertex to a position of lower energy, by one step of Newton's method in its tangent
-/// plane. The step is shortened until the energy of its triangles decreases and no triangle is
-/// flipped. If no step length satisfies these conditions, the vertex is not moved.
+/// Move a vertex to a position of lower energy, by one step of Newton's method in the tangent plane
+/// of the sphere. The step is shortened until the energy of the vertex's triangles decreases and no
+/// triangle is flipped. If no step length satisfies these conditions, the vertex is not moved.
 /// @param[in,out] positions  unit vectors of all vertices; only the unit vector of v is changed
 /// @param[in] corners        triangles around v, counter-clockwise
 void relaxVertex(std::vector<Vector3>& positions, int v, const Corner* corners, int size,

@@ -1,5 +1,6 @@
-/// Compute the areas and cotangents of triangles that sphere maps need, with bounds. The bounds are
-/// our own construction. Without bounds, needles (very thin triangles) make sphere maps fail.
+/// Compute areas of triangles and cotangents of their angles for maps of surfaces to the sphere.
+/// All values are bounded, which is our own construction. Without bounds, needles (very thin
+/// triangles) make maps to the sphere fail.
 
 #ifndef ConformalBoundedTriangles_h
 #define ConformalBoundedTriangles_h
@@ -13,7 +14,7 @@
 namespace conformal
 {
 /// Compute areas and cotangents of triangles from their squared edge lengths. The lengths are
-/// slightly increased, so that degenerate triangles also have a positive area and finite
+/// slightly increased first. Thus, even degenerate triangles have a positive area and finite
 /// cotangents. Areas are scaled so that the whole surface has the area of the unit sphere.
 class BoundedTriangles
 {
@@ -21,8 +22,8 @@ public:
   enum class Weight
   {
     Area,
-    /// Area, reduced for needles. With the full area, the angles of a needle would distort its
-    /// neighbors.
+    /// Area, reduced for needles. With the full area as weight, the angles of a needle would
+    /// distort its neighbors.
     RegularArea
   };
 
@@ -34,7 +35,8 @@ public:
 
   SourceTriangle triangle(int a, int b, int c) const;
 
-  /// Append the triangles around a vertex v to `corners`, in the sequence of its ring of neighbors.
+  /// Append the triangles around a vertex v to `corners`, in the sequence of `ring`, the neighbors
+  /// of v.
   void cornersOf(int v, const Ring& ring, std::vector<Corner>& corners) const;
 
 private:

@@ -1,5 +1,5 @@
-/// Repair flipped triangles of a sphere map. Vertices near flipped triangles get new positions by
-/// the planar layout of \cite Tutte1963.
+/// Repair flipped triangles of a sphere map (map of a surface to the unit sphere). Vertices near
+/// flipped triangles get new positions by the planar layout of \cite Tutte1963.
 
 #ifndef ConformalFlipRepair_h
 #define ConformalFlipRepair_h
@@ -15,36 +15,38 @@
 namespace conformal
 {
 /// Minimum determinant of the three unit vectors of a triangle. Triangles with a lower determinant
-/// are bad. A triangle with a lower determinant might become flipped if another program rounds the
-/// unit vectors to 16 digits.
+/// are called bad. A bad triangle might become flipped if another program rounds the unit vectors
+/// to 16 digits.
 constexpr double MinimumSafeDeterminant = 1e-14;
 
-/// Energy of a sphere map that depends on angles only, not on areas.
+/// Parameters of SphereEnergy for an energy that depends on angles only, not on areas.
 constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 
 /// Return the ids of the bad triangles in ascending order. A triangle is bad if its determinant is
 /// below MinimumSafeDeterminant.
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles);
 
-/// Repair each connected set of bad triangles by moving the vertices of a neighborhood. If the
-/// repair fails, the neighborhood is enlarged by rings of vertices, and the repair is repeated.
+/// Repair each connected set of bad triangles by moving the vertices in a neighborhood of the set.
+/// If the repair fails, the neighborhood is enlarged by the neighbors of its vertices, and the
+/// repair is repeated.
 ///
 /// The border of the neighborhood is fixed. Vertices inside get new positions by the first of these
 /// methods that succeeds:
-/// - Move each vertex into the kernel of the polygon of its neighbors, see kernelCentroid().
-/// - Regard the edges as strings with positive string constants (weights), and compute their
-///   equilibrium, \cite Tutte1963. The equilibrium is computed in the plane of a gnomonic
+/// - Move each vertex into the kernel of its neighbors' polygon: positions at which no triangle is
+///   flipped, see kernelCentroid().
+/// - Regard the edges as springs with positive weights, and move the vertices to the equilibrium of
+///   the springs, \cite Tutte1963. The equilibrium is computed in the plane of a gnomonic
 ///   projection. This projection maps great circles to lines, and preserves the orientation of
 ///   triangles.
-/// - Compute the equilibrium with lower constants for short strings, so that triangles shrink less.
+/// - Compute the equilibrium with lower weights for short springs, so that triangles shrink less.
 ///   This method is necessary near the ends of limbs (thin parts of a shape), where triangles are
 ///   otherwise too small.
-/// - Remove the vertices and insert them again one by one. This method is necessary on limbs that
-///   have only a few vertices around their circumference.
+/// - Remove all vertices of the neighborhood, and insert them again one by one. This method is
+///   necessary on limbs that have only a few vertices around their circumference.
 ///
-/// @param[in] strings        result of cotangentWeights() for the surface
-/// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad do not
-///   become bad.
+/// @param[in] strings        weights of the springs: result of cotangentWeights() for the surface.
+///   In the equilibrium, weights are clamped to [0.05, 20].
+/// @param[in,out] positions  #V unit vectors, the sphere map. No further triangle becomes bad.
 /// @return whether no bad triangles remain
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,

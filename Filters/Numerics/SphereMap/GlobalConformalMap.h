@@ -13,16 +13,17 @@ namespace conformal
 enum class GlobalConformalMethod
 {
   Robust, ///< default method: one-to-one for every surface tested, and conformal where possible
-  GuYau   ///< method of Gu and Yau as published; its maps may have folds
+  GuYau   ///< published method of Gu and Yau; its maps may have folds (flipped triangles)
 };
 
-/// Step in which the method Robust succeeded.
+/// Tier (stage of the method Robust) that computed the map.
 enum class GlobalConformalTier
 {
   Harmonic, ///< the solution of linear equations had no folds
   Repaired, ///< the solution of linear equations had folds, which were repaired locally
-  /// The map was computed by mapToSphere(). Either AreaBalance is above 0, or triangles of a
-  /// conformal map would be too small for double precision.
+  /// The map was computed by mapToSphere(), which inserts the vertices one by one. Either
+  /// AreaBalance is above 0, or triangles of a conformal map would be too small for double
+  /// precision.
   Progressive
 };
 
@@ -32,7 +33,7 @@ struct GlobalConformalMapOptions
   /// For Robust: balance between angles and areas, in [0, 1]. The value 0 gives a conformal map, 1
   /// a map that nearly preserves areas.
   double AreaBalance = 0.0;
-  /// For GuYau: maximum number of steps in each of its two phases
+  /// For GuYau: maximum number of steps in each of its two phases, see mapByGuYau()
   int MaximumNumberOfIterations = 5000;
   /// For GuYau: relative change of the energy per step at which a phase ends
   double Tolerance = 1e-7;
@@ -58,21 +59,22 @@ struct GlobalConformalMapResult
 /// counter-clockwise seen from outside, both on the surface and on the sphere.
 ///
 /// The method Robust has these steps:
-/// 1. Remove one triangle (the puncture), map the rest of the surface by punctureToSphere(), and
-///    repair folds by repairFlips().
-/// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 with
+/// 1. Remove one triangle (the puncture), and map the rest of the surface by linear equations, see
+///    punctureToSphere(). Repair folds (flipped triangles) locally, see repairFlips().
+/// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 once with
 ///    another triangle.
 /// 3. Move vertices of triangles whose angles are not preserved, to preserve angles better.
 /// 4. If a triangle is flipped or too small, use mapToSphere() instead. Several values of
-///    AreaBalance are tried in ascending order. The last attempt uses the option ConnectivityFirst.
-///    This attempt succeeded on every surface tested.
+///    AreaBalance are tried in ascending order. The last attempt inserts vertices as if all
+///    triangles were equal (option ConnectivityFirst of mapToSphere()). This attempt succeeded on
+///    every surface tested.
 ///
-/// If AreaBalance is above 0, only mapToSphere() is used.
+/// If AreaBalance is above 0, steps 1 to 3 are omitted, and only mapToSphere() is used.
 ///
 /// Conformal maps are unique up to a Moebius transform (conformal map of the sphere to itself). For
-/// a conformal map, the area-weighted mean of the sphere positions is moved to the center of the
-/// sphere. Finally, the map of Robust is rotated. The sphere positions then agree best with the
-/// directions from the center of the surface to its vertices.
+/// a conformal map, this transform is chosen so that the area-weighted mean of the sphere positions
+/// is the sphere's center. Finally, maps of Robust are rotated. The rotation brings sphere
+/// positions as close as possible to the directions from the surface's center to its vertices.
 ///
 /// @param[in] mesh  surface with finite positions, all of them used by triangles. Triangles may
 ///   have zero area.

@@ -30,18 +30,20 @@ struct GuYauResult
 
 /// Minimize the harmonic energy of a map to the sphere, \cite Gu2004 and \cite Liou2008 section
 /// 4.1. The initial map is the Gauss map, which maps each vertex to its normal. The energy is the
-/// elastic energy of strings along the edges. The string constant is the weight of an edge. The
-/// first phase uses equal constants. The second phase uses cotangent weights, which define the
-/// harmonic energy. After each step, the area-weighted mean of the positions is subtracted, and the
-/// positions are normalized.
+/// elastic energy of springs (strings in \cite Gu2004) along the edges. The string constant of an
+/// edge is the weight of its spring. The energy is reduced by steps of gradient descent, in two
+/// phases. The first phase uses equal constants. The second phase uses cotangent weights, which
+/// define the harmonic energy. After each step, the area-weighted mean of the positions is
+/// subtracted, and the positions are normalized.
 ///
-/// Obtuse triangles can cause negative string constants, which may result in folds of the map.
-/// Triangles of zero area cause infinite constants, which are ignored. The result contains the
-/// numbers of edges with negative and with infinite constants.
+/// Obtuse triangles can cause negative string constants, which may result in folds (flipped
+/// triangles) of the map. Triangles of zero area cause infinite constants, which are ignored. The
+/// result contains the numbers of edges with negative and with infinite constants.
 ///
-/// Implementation note: the initial time step is the reciprocal of the largest sum of absolute
-/// constants at a vertex. A longer time step would be unstable. If the energy rises, the time step
-/// is halved. In contrast, \cite Liou2008 uses one time step for every mesh.
+/// Implementation note: the time step is the factor of the gradient in a step. Its initial value is
+/// the reciprocal of the largest sum of absolute constants at a vertex. A longer time step would be
+/// unstable. If the energy rises, the time step is halved. In contrast, \cite Liou2008 uses one
+/// time step for every mesh.
 ///
 /// @param[in] mesh  closed mesh of genus zero, with coordinates of magnitude about 1
 /// @post the result does not depend on the number of threads

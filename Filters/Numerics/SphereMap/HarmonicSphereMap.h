@@ -1,6 +1,6 @@
 /// Map a closed surface of genus zero conformally to the sphere, by linear equations and local
-/// repairs. The combination of punctureToSphere() and repairFlips() is our own construction. The
-/// reason is that the solution of the linear equations may have folds.
+/// repairs. The combination of linear equations and repairs is our own construction. Repairs are
+/// necessary, because the solution of the linear equations may have folds (flipped triangles).
 
 #ifndef ConformalHarmonicSphereMap_h
 #define ConformalHarmonicSphereMap_h
@@ -24,8 +24,8 @@ struct HarmonicSphereMap
 
 /// Map a closed surface of genus zero conformally to the unit sphere, in these steps:
 ///
-/// 1. Remove one triangle (the puncture), map the rest of the surface by punctureToSphere(), and
-///    repair folds by repairFlips().
+/// 1. Remove one triangle (the puncture), and map the rest of the surface by linear equations, see
+///    punctureToSphere(). Repair folds (flipped triangles) locally, see repairFlips().
 /// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 once with
 ///    another triangle.
 /// 3. Move the vertices of triangles whose angles are not preserved, to preserve angles better. If

@@ -1,5 +1,5 @@
-/// Map a closed surface of genus zero to the sphere without folds, by a progressive mesh,
-/// \cite Praun2003.
+/// Map a closed surface of genus zero to the sphere without folds (flipped triangles),
+/// \cite Praun2003. The map starts with a tetrahedron; all other vertices are inserted one by one.
 
 #ifndef ConformalProgressiveSphereMap_h
 #define ConformalProgressiveSphereMap_h
@@ -18,17 +18,18 @@ struct ProgressiveSphereMapOptions
   /// Balance between angles and areas, in [0, 1]. The value 0 gives a nearly conformal map, 1 a map
   /// that nearly preserves areas.
   double AreaBalance = 0.5;
-  /// Number of sweeps over all vertices after all are inserted, at least 0
+  /// Number of sweeps after all vertices are inserted, at least 0. A sweep moves each vertex once
+  /// to reduce the energy.
   int NumberOfSweeps = 30;
   /// Number of sweeps after those of NumberOfSweeps. These later sweeps give more weight to the
   /// triangles with the highest energy.
   int NumberOfSmoothingSweeps = 30;
   /// Treatment of needles (very thin triangles) by QuadricCollapse. Use Thin if large parts of the
-  /// surface are connected by necks that consist of needles. The reason is that vertices of these
-  /// parts cannot be inserted before the vertices of the necks.
+  /// surface are connected by necks that consist of needles. In this case, the vertices of the
+  /// parts can be inserted only after those of the necks.
   QuadricCollapse::Needles SurfaceNeedles = QuadricCollapse::Needles::Keep;
-  /// Some vertices can be inserted only after vertices nearby are moved. This is the maximum number
-  /// of these insertions. One of these insertions may need a second.
+  /// Maximum number of insertions before which nearby vertices must be moved to make space. One
+  /// such insertion may need one second of running time.
   Index MaximumNumberOfRelaxations = std::numeric_limits<Index>::max();
   /// Whether to collapse and insert vertices as if all triangles were equilateral, with equal
   /// areas. The final sweeps always use the true shapes. Use this option only if all other attempts
@@ -40,9 +41,10 @@ struct ProgressiveSphereMapResult
 {
   Points Positions;                   ///< #V by 3 unit vectors
   Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles of the result; always 0
-  /// Number of insertions before which vertices nearby were moved to make space
+  /// Number of insertions before which nearby vertices were moved to make space
   Index NumberOfRelaxations = 0;
-  double Energy = 0.0; ///< mean of SphereEnergy over the area of the surface, at least 1
+  /// Mean over the area of the surface of SphereEnergy, an energy of angles and areas; at least 1
+  double Energy = 0.0;
 };
 
 /// Map a closed surface of genus zero one-to-one to the unit sphere, \cite Praun2003. Triangles are
@@ -50,14 +52,14 @@ struct ProgressiveSphereMapResult
 ///
 /// The surface is first collapsed to a tetrahedron. The four vertices of the tetrahedron are placed
 /// on the sphere. All other vertices are then inserted in the reverse sequence of the collapses.
-/// Each vertex is inserted in the kernel of the polygon of its neighbors, so that no triangle is
-/// flipped. Between and after the insertions, vertices are moved to reduce SphereEnergy, an energy
-/// of angles and areas. Moves that would flip a triangle are rejected.
+/// Each vertex is inserted in the kernel of its neighbors' polygon: positions at which no triangle
+/// is flipped. Between and after the insertions, vertices are moved to reduce SphereEnergy, an
+/// energy of angles and areas. Moves that would flip a triangle are rejected.
 ///
-/// Implementation note: \cite Praun2003 minimizes another energy, stretch. Here, the energy of a
-/// triangle is its conformal energy times a power of S / A. S is its area on the surface, and A its
-/// area on the sphere. AreaBalance determines the exponent. Maps thus vary from conformal to
-/// area-preserving.
+/// Implementation note: \cite Praun2003 minimizes another energy, called stretch. Here, the energy
+/// of a triangle is its conformal energy times a power of S / A. S is the area of the triangle on
+/// the surface, and A is its area on the sphere. AreaBalance determines the exponent. Maps thus
+/// vary from conformal to area-preserving.
 ///
 /// @param[in] mesh  surface with finite positions, all of them used by triangles. Triangles may
 ///   have zero area.

@@ -12,34 +12,35 @@ namespace conformal
 {
 /// Choose the triangle to remove before the surface is mapped (the puncture). The triangle is
 /// nearly equilateral, as are the triangles around it. The puncture is not at the end of a limb
-/// (long, thin part of a shape). A puncture there would make all other triangles on the sphere too
-/// small.
+/// (long, thin part of a shape). With a puncture there, all other triangles on the sphere would be
+/// too small for double precision.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
-/// Choose another puncture, given a map of the surface to the sphere. The result is a nearly
-/// equilateral triangle whose area this map enlarges most.
+/// Choose another puncture, given a map of the surface to the sphere. The result is the triangle
+/// whose area the map enlarges most. The enlargement is weighted, so that nearly equilateral
+/// triangles are preferred.
 Index choosePuncture(
   const Points& points, const Triangles& triangles, const Points& spherePositions);
 
 /// Map a closed surface to the sphere, as in \cite Haker2000 and \cite Choi2015. One triangle, the
-/// puncture, is removed and mapped to a plane, where it keeps its shape. All other vertices are
-/// mapped to the inside of this triangle. Finally, the plane is mapped to the sphere by
+/// puncture, is removed and mapped to a triangle of the same shape in a plane. All other vertices
+/// are mapped to the inside of this triangle. Finally, the plane is mapped to the sphere by
 /// stereographic projection.
 ///
 /// The positions in the plane are a harmonic map: each vertex is the weighted mean of its
-/// neighbors. Harmonic maps to the plane are nearly conformal. The finite size of the puncture
-/// distorts the map. This distortion is corrected. Positions near the puncture are then computed
-/// again by linear equations.
+/// neighbors. With cotangent weights, harmonic maps to the plane are nearly conformal. However, the
+/// finite size of the puncture distorts the map. This distortion is corrected far from the
+/// puncture. Positions near the puncture are then computed again by linear equations.
 ///
-/// Implementation note: \cite Choi2015 solves a second global system for this correction. In this
-/// file, the error is written as a power series instead. Let z be the complex coordinate of the
-/// plane, with the puncture far from z = 0. Far from the puncture, the error of z is a sum of
-/// positive powers of z and of its conjugate. The smaller the puncture, the faster the coefficients
-/// decrease with the power. Only the powers of the conjugate are not conformal. The coefficients of
-/// these powers are fitted by least squares to the Beltrami coefficients (measures of
-/// non-conformality) of the triangles. The terms are then subtracted from z. The series is not
-/// valid near the puncture, where |z| is large. There, 1/z is computed again as a harmonic
-/// function. The values of 1/z at the border of this region are fixed.
+/// Implementation note: for this correction, \cite Choi2015 solves a second global system of
+/// equations. In this file, the distortion is written as a power series instead. Let z be the
+/// complex coordinate of the plane, with the puncture far from z = 0. Far from the puncture, the
+/// error of z is a sum of positive powers of z and of its conjugate. The smaller the puncture, the
+/// faster the coefficients decrease with the power. Powers of z are conformal, so only the powers
+/// of the conjugate are corrected. Their coefficients are fitted by least squares to the Beltrami
+/// coefficients (measures of non-conformality) of the triangles. The fitted terms are then
+/// subtracted from z. The series is not valid near the puncture, where |z| is large. There, 1/z is
+/// computed again as a harmonic function. The values of 1/z at the border of this region are fixed.
 ///
 /// @param[in] points   #V by 3 positions with coordinates of magnitude about 1
 /// @param[in] strings  weights of the edges: result of cotangentWeights() for the surface

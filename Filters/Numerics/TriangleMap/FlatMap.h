@@ -1,5 +1,6 @@
 /// Map points between the flat triangles of two meshes with equal connectivity, \cite Liou2008. The
-/// network is the mesh on the sphere. The model is the mesh in space that was learned from points.
+/// network is the mesh on the unit sphere. The model is the mesh in space, learned from a point
+/// cloud.
 
 #ifndef ConformalFlatMap_h
 #define ConformalFlatMap_h
@@ -15,11 +16,11 @@
 
 namespace conformal
 {
-/// Whether the maps of neighboring triangles agree on their common edge.
+/// Choice whether the maps of neighboring triangles agree on their common edge.
 enum class SeamMode
 {
-  /// Conformal map of each triangle, as published; the maps of neighbors differ on their common
-  /// edge
+  /// Conformal map of each triangle, as in \cite Liou2008; the maps of neighbors differ on their
+  /// common edge
   PerTriangle,
   /// Modified maps that agree on the common edge of two triangles, and form one continuous map of
   /// the whole surface
@@ -30,31 +31,34 @@ enum class SeamMode
 /// network triangle is mapped to a point q' of the model triangle, \cite Liou2008 Eq. 10. Points
 /// are in barycentric coordinates.
 ///
-/// Implementation note: the Schwarz-Christoffel maps of two neighboring triangles map points of
-/// their common edge differently. In mode EdgeMatched, each edge therefore has one correspondence
-/// e, which both triangles use. Let t in [0, 1] be the point that divides the edge in the ratio
-/// t : (1 - t). Its image e(t) divides the edge in the ratio exp(c) t^p : (1 - t)^q. Near the ends
-/// of the edge, a conformal map has this form, with constants p, q and c. The constants of the two
-/// triangles are averaged.
+/// Implementation note: the conformal (Schwarz-Christoffel) maps of two neighboring triangles map
+/// points of their common edge differently. In mode EdgeMatched, both triangles of an edge
+/// therefore use one map e from the network edge to the model edge. This map is called the
+/// correspondence of the edge. Let t in [0, 1] be the point that divides the network edge in the
+/// ratio t : (1 - t). Its image e(t) divides the model edge in the ratio exp(c) t^p : (1 - t)^q.
+/// Near the ends of the edge, a conformal map has this form, with constants p, q and c. The
+/// constants of the two triangles are averaged.
 ///
 /// The conformal map of each triangle is followed by three slides, one for each edge. A slide moves
-/// points parallel to its edge, so that the map agrees with the correspondence of the edge. Let i
-/// and j be the ends of the edge, and m the barycentric coordinates before the slide. Then
+/// points parallel to its edge. On the edge, the map then equals the correspondence of the edge.
+/// Let i and j be the ends of the edge, and m the barycentric coordinates before the slide. Then
 /// S = m_i + m_j is 1 on the edge and 0 at the opposite corner. The position parallel to the edge
-/// is b = m_j / S. Let d = 1 - S and b' = (b + d) / (1 + 2 d). Let t be the point of the edge that
-/// the conformal map, without slides, maps to b'. Let o(x) = x / (1 - x). The slide replaces b by
+/// is b = m_j / S. Let d = 1 - S and b' = (b + d) / (1 + 2 d): the position b, moved toward the
+/// middle of the edge. Let t be the point of the edge that the conformal map, without slides, maps
+/// to b'. Let o(x) = x / (1 - x) be the ratio in which x divides an edge. The slide replaces b by
 ///     (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
 ///
 /// A slide does not move the points of the two other edges. The slide is smooth there, because b'
-/// is neither 0 nor 1 inside these edges. The new position increases strictly with b, since o(e(t))
-/// increases with b'. The slide is thus one-to-one on every line parallel to its edge. On the edge,
-/// S = 1 and d = 0, so that t is mapped to e(t). The composition of the conformal map and the
-/// slides is a homeomorphism for triangles of any shape. No iteration over the mesh is necessary.
-/// The inverse needs the solution of three monotone equations in one unknown.
+/// is strictly between 0 and 1 inside these edges. The new position increases strictly with b,
+/// since o(e(t)) increases, and o(b) / o(b') does not decrease. The slide is thus one-to-one on
+/// every line parallel to its edge. On the edge, S = 1 and d = 0, so that t is mapped to e(t). The
+/// composition of the conformal map and the slides is a homeomorphism for triangles of any shape.
+/// No iteration over the mesh is necessary. To invert the map, three monotone equations are solved,
+/// each in one unknown.
 ///
 /// Implementation note: conformal maps move most points of a needle (very thin triangle) into one
-/// corner. In mode EdgeMatched, a triangle may therefore have an affine map, followed by the
-/// slides, instead of the conformal map. The dilatation of an affine map is its largest singular
+/// corner. In mode EdgeMatched, some triangles therefore have an affine map instead of the
+/// conformal map, followed by the slides. The dilatation of an affine map is its largest singular
 /// value divided by its smallest. The affine map is used if its dilatation from network to model is
 /// above 1.5. In both modes, degenerate triangles are mapped affinely.
 class FlatMap
@@ -81,8 +85,8 @@ public:
   class Triangle;
 
 private:
-  /// Correspondence e of an edge. The correspondence maps the ratio t : (1 - t) to the ratio exp(c)
-  /// t^p : (1 - t)^q.
+  /// Correspondence e of an edge, see FlatMap. The point e(t) divides the model edge in the ratio
+  /// exp(c) t^p : (1 - t)^q.
   struct Edge
   {
     double AtFirst = 1.0;    ///< exponent p
@@ -106,8 +110,8 @@ private:
   std::vector<std::array<unsigned char, 3>> Order;
 };
 
-/// Map of one triangle that reuses computed coefficients for further points. Only one thread at a
-/// time may use this object.
+/// Map of one triangle. Coefficients of power series are computed once, and reused for all further
+/// points. Only one thread at a time may use this object.
 class FlatMap::Triangle
 {
 public:
@@ -121,20 +125,20 @@ public:
 
   /// Map a point from the network to the model.
   /// @param[in]  barycentric  barycentric coordinates of p', >= 0, with the sum 1
-  /// @param[out] derivative   may be null. Column k is the partial derivative by barycentric
-  ///   coordinate k. Multiply the matrix only by changes of coordinates whose sum is 0. On an edge,
-  ///   the derivative of this triangle's map is returned. At a corner, where no derivative exists,
-  ///   the derivative at a nearby point is returned.
-  /// @post in mode EdgeMatched, the maps of both triangles of an edge return equal bits for points
-  ///   of the edge
+  /// @param[out] derivative   may be null. Column k is the partial derivative with respect to
+  ///   barycentric coordinate k. Multiply the matrix only by changes of the three coordinates whose
+  ///   sum is 0. On an edge, the derivative is that of this triangle's map, not of its neighbor's.
+  ///   At a corner, where no derivative exists, the derivative at a nearby point is returned.
+  /// @post in mode EdgeMatched, both triangles of an edge map a point of the edge to positions with
+  ///   equal bits
   Vector3 toModel(const Vector3& barycentric, Eigen::Matrix3d* derivative = nullptr);
 
   /// Map a point from the model to the network: the inverse of toModel().
   Vector3 toNetwork(const Vector3& barycentric);
 
 private:
-  /// Result of a slide for a position b on a line parallel to the edge. The number S, see the
-  /// comment of FlatMap, identifies the line.
+  /// Result of a slide for a position b on a line parallel to the edge. The number S identifies the
+  /// line; S and b are defined in the comment of FlatMap.
   struct Slid
   {
     EdgeShares Place;

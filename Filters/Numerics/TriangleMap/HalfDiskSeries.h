@@ -1,7 +1,7 @@
 /// Evaluate the conformal map of a triangle near a corner by power series. The map is defined on a
-/// half disk, see the comment at the beginning of SchwarzChristoffel.h. The series is our own
-/// construction, because it converges for triangles of any shape. The integrand of \cite Liou2008
-/// Eqs. 4 and 5 is expanded at a corner of the half disk.
+/// half disk with the coordinate s, see the beginning of SchwarzChristoffel.h. The integrand of
+/// \cite Liou2008 Eqs. 4 and 5 is expanded in powers of s, at the image s = 0 of the corner. The
+/// series is our own construction: it converges for triangles of any shape.
 
 #ifndef ConformalHalfDiskSeries_h
 #define ConformalHalfDiskSeries_h
@@ -20,12 +20,13 @@ namespace halfdisk
 using Complex = std::complex<double>;
 
 constexpr double Log4 = 1.38629436111989061883;
-constexpr double LogEpsilon = -39.0;     // e^-39 = 1e-17
-constexpr double MaximumLogS = -1.09861; // |s| < 1/3, slightly above the maximum of 0.268
-constexpr int MaximumTerms = 36;         // even, sufficient for |s| = 1/3
+constexpr double LogEpsilon = -39.0; // smaller terms, below e^-39 = 1e-17, are neglected
+// log(1/3). Every point has a corner with |s| <= 0.268, so that the bound 1/3 has a small margin.
+constexpr double MaximumLogS = -1.09861;
+constexpr int MaximumTerms = 36; // even; |s|^36 < 1e-17 for |s| < 1/3
 
 /// Compute the exponential function of a logarithm. If the imaginary part is 0 or pi, the result is
-/// exactly real. These imaginary parts occur at points on the straight edges of the half disk.
+/// exactly real. These imaginary parts occur at points on the diameter of the half disk.
 inline Complex expOf(const Complex& logarithm)
 {
   const double size = std::exp(logarithm.real());
@@ -59,8 +60,9 @@ inline Complex over(const Complex& a, const Complex& b)
     (a.imag() * b.real() - a.real() * b.imag()) / square };
 }
 
-/// Return the number of terms that a power series in s needs for full precision, where logS = log
-/// |s|. The number is even. The coefficients of the series are assumed to be near 1.
+/// Return the number of terms that a power series in s needs for full precision. The argument logS
+/// is log |s|. The number is even. The coefficients of the series are assumed to have magnitudes
+/// near 1.
 inline int termsFor(double logS)
 {
   return logS > LogEpsilon / MaximumTerms ? MaximumTerms
@@ -116,9 +118,9 @@ inline constexpr auto Reciprocals = []()
 
 /// Power series of the conformal map at one corner of a triangle. Let a, b and c be the angles of
 /// this, the next and the previous corner, in units of pi. Let s be the coordinate of the half disk
-/// that is 0 at this corner. Let k be the constant in SchwarzChristoffel.h. Let f(s) = (1-s)^(2b-1)
-/// (1+s)^(2c-1) = sum d_n s^n with d_0 = 1. Then the map to the plane of the triangle is z = (k/a)
-/// (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
+/// that is 0 at this corner. Let k = pi D / (Gamma(a) Gamma(b) Gamma(c)), where D is the diameter
+/// of the circumcircle. Let f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n with d_0 = 1. Then the
+/// map to the plane of the triangle is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
 class CornerSeries
 {
 public:
@@ -129,12 +131,12 @@ public:
   {
   }
 
-  /// Compute coefficients until each series has `terms` of them.
+  /// Compute further coefficients, until Map and Slope have `terms` coefficients each.
   void extend(int terms)
   {
     for (; this->Terms < terms; ++this->Terms)
     {
-      // (1 - s^2) f' = (2 (c - b) + 2 a s) f
+      // The recurrence follows from (1 - s^2) f' = (2 (c - b) + 2 a s) f.
       const int n = this->Terms;
       const double d =
         (this->Twist * this->Last + (n - 1 + 2.0 * this->A) * this->BeforeLast) * Reciprocals[n];
@@ -145,11 +147,12 @@ public:
     }
   }
 
-  /// Approximate log s for given log W, as a starting value of Newton's method. Here W =
-  /// (1 + sum)^(1/a) s, with the sum over n > 0 in the comment of this class. The approximation is
-  /// W(s) = s / (1 - g s + q s^2). The constants g and q are chosen so that it is exact up to s^3.
-  /// The approximation is also exact for the extremal univalent functions. Therefore, the
-  /// approximation is accurate for triangles of any shape.
+  /// Approximate log s for given log W, as a starting value of Newton's method. Here
+  /// W = (1 + sum)^(1/a) s, with the sum over n > 0 in the comment of this class. The approximation
+  /// is W(s) = s / (1 - g s + q s^2). The constants g and q are chosen so that the approximation is
+  /// exact up to s^3. The approximation is also exact for the extremal univalent functions (the
+  /// most distorted one-to-one maps). Therefore, the approximation is accurate for triangles of any
+  /// shape.
   Complex guess(const Complex& logUniform)
   {
     const auto [g, q] = this->leading();
@@ -159,8 +162,8 @@ public:
     return logUniform + log1p(ratio - 1.0);
   }
 
-  /// Approximate s for a given real number W, positive or negative, by the formula of the complex
-  /// function.
+  /// Approximate s for a given real number W, positive or negative. The formula is that of guess()
+  /// for complex numbers.
   double guess(double w)
   {
     const auto [g, q] = this->leading();
@@ -171,7 +174,7 @@ public:
   /// Compute the derivative d log f / d log s.
   double bend(double s) const { return s * (this->Twist + 2.0 * this->A * s) / (1.0 - s * s); }
 
-  std::array<double, MaximumTerms> Map;   // coefficients of s^1, s^2, ... in the map
+  std::array<double, MaximumTerms> Map;   // coefficients of s^1, s^2, ... in the sum of z
   std::array<double, MaximumTerms> Slope; // coefficients of s^1, s^2, ... in f
 
 private:

@@ -1,23 +1,23 @@
-/// Map triangles conformally to other triangles, and corners to corners, \cite Liou2008 Eqs. 4 and
-/// 5.
+/// Map triangles conformally to other triangles, \cite Liou2008 Eqs. 4 and 5. Corners are mapped to
+/// corners.
 ///
-/// Every triangle has a conformal map to the same half disk. A map between two triangles consists
-/// of two maps. The first triangle is mapped to the half disk, then the half disk is mapped to the
+/// Every triangle has a conformal map to the same half disk. A map between two triangles is a
+/// composition. The first triangle is mapped to the half disk, then the half disk is mapped to the
 /// second triangle. Input and output are barycentric coordinates, so that no plane has to be
 /// chosen.
 ///
-/// Implementation note: \cite Liou2008 uses maps to the whole unit disk. The images of the corners
-/// on its border are arbitrary. This file therefore uses the upper half of the unit disk, to which
-/// the disk can be mapped conformally. Let s be the complex coordinate of the half disk: |s| <= 1,
-/// Im s >= 0. A corner of the triangle is at s = 0, the next corner at 1, the previous corner at
-/// -1. The edge opposite the corner at 0 is the half circle. Let a, b and c be the angles of these
-/// three corners, in units of pi. Let z be the complex coordinate in the plane of the triangle.
-/// Eqs. 4 and 5 then become
+/// Implementation note: \cite Liou2008 uses maps to the whole unit disk. On the border of the disk,
+/// the images of the corners may be chosen freely. This file uses the upper half of the unit disk
+/// instead. The whole disk has a conformal map to this half disk. Let s be the complex coordinate
+/// of the half disk: |s| <= 1, Im s >= 0. One corner of the triangle is mapped to s = 0, the next
+/// corner to 1, the previous corner to -1. The edge opposite the corner at 0 is mapped to the half
+/// circle. Let a, b and c be the angles of these three corners, in units of pi. Let z be the
+/// complex coordinate in the plane of the triangle. Eqs. 4 and 5 then become
 ///     dz/ds = k 4^a s^(a-1) (1-s)^(2b-1) (1+s)^(2c-1),   k = pi D / (Gamma(a) Gamma(b) Gamma(c)),
-/// where D is the diameter of the circumcircle. The formula has no factor 1 + s^2, since a + b + c
-/// = 1. No parameters have to be solved for, and all coefficients are real. For every point, a
-/// corner can be chosen so that |s| <= 2 - sqrt(3). Then 30 terms of a power series in s give full
-/// double precision for any shape of the triangle.
+/// where D is the diameter of the circumcircle. A factor 1 + s^2 cancels, since a + b + c = 1. The
+/// formula has no unknown parameters, and all coefficients are real. For every point, at least one
+/// choice of the corner at 0 gives |s| <= 2 - sqrt(3). Then 30 terms of a power series in s give
+/// full double precision for any shape of the triangle.
 
 #ifndef ConformalSchwarzChristoffel_h
 #define ConformalSchwarzChristoffel_h
@@ -29,12 +29,14 @@
 
 namespace conformal
 {
-/// Point of the half disk. The coordinate s depends on the corner of the triangle that is at s = 0.
+/// Point of the half disk, which is defined at the beginning of this file. The coordinate s depends
+/// on which corner of the triangle is mapped to s = 0.
 struct HalfDiskPoint
 {
   int Corner = 0;         ///< corner at s = 0; the next corner is at 1, the previous corner at -1
   std::complex<double> S; ///< coordinate s; |s| < 1/3, so that the series converges fast
-  std::complex<double> LogS; ///< log s; its imaginary part is in [0, pi], exactly 0 or pi on edges
+  /// Logarithm of s; its imaginary part is in [0, pi], and exactly 0 or pi on the diameter
+  std::complex<double> LogS;
 };
 
 /// Shape of a triangle, defined by its angles, and the conformal map between the triangle and the
@@ -76,12 +78,12 @@ public:
   std::complex<double> derivative(const HalfDiskPoint& point) const;
 
   /// Compute the derivative of the conformal map to another triangle, in barycentric coordinates.
-  /// Multiply the matrix only by changes of coordinates whose sum is 0.
+  /// Multiply the matrix only by changes of the three coordinates whose sum is 0.
   /// @pre neither triangle is degenerate, and the point is not a corner
   Eigen::Matrix3d mapDerivative(const TriangleShape& to, const HalfDiskPoint& point) const;
 
   /// Compute the dilatation of the affine map to another triangle. The dilatation is the largest
-  /// singular value of the map divided by the smallest.
+  /// singular value of the linear part of the map, divided by the smallest.
   /// @pre neither triangle is degenerate
   double dilatation(const TriangleShape& to) const;
 
@@ -89,8 +91,8 @@ private:
   friend class NetworkShapes;
   friend class TriangleMap;
 
-  /// Return a matrix M of the triangle's plane, as defined at derivative(). Multiply M by the
-  /// barycentric coordinates of the next and the previous corner to get the position in this plane.
+  /// Return the matrix that maps the barycentric coordinates of the next and the previous corner to
+  /// a position in a plane. The plane is that of derivative().
   Eigen::Matrix2d plane(int corner) const;
 
   double leading(int corner) const { return this->Scale / this->Angles[corner]; }

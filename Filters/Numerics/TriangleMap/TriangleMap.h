@@ -1,5 +1,5 @@
-/// Map many points of one triangle conformally, \cite Liou2008 Eqs. 4 and 5. The half disk to which
-/// triangles are mapped is defined at the beginning of SchwarzChristoffel.h.
+/// Map many points of one triangle conformally, \cite Liou2008 Eqs. 4 and 5. Triangles are mapped
+/// to a half disk with the complex coordinate s, defined at the beginning of SchwarzChristoffel.h.
 
 #ifndef ConformalTriangleMap_h
 #define ConformalTriangleMap_h
@@ -17,7 +17,8 @@ struct CornerTable
 {
   static constexpr int InverseTerms = 24;
   std::array<double, halfdisk::MaximumTerms> Map{}; ///< coefficients as in CornerSeries::Map
-  /// Coefficients of W^1, W^2, ... in log(s/W), with W as in CornerSeries::guess()
+  /// Coefficients of the power series of log(s/W) in W, from W^1 on; for W, see
+  /// CornerSeries::guess()
   std::array<double, InverseTerms> Inverse{};
   double Limit = 0.0; ///< maximum log |W| for which Inverse has full precision
 };
@@ -30,20 +31,21 @@ struct EdgeShares
   double First = 0.0, Second = 0.0;
 };
 
-/// Point of the half disk that is the image of a point on an edge of the triangle. The nearer end
-/// of the edge is at s = 0.
+/// Point of the half disk that is the image of a point on an edge of the triangle. The edge is
+/// mapped to the diameter, where s is real. The end of the edge nearer to the point is mapped to
+/// s = 0.
 struct EdgePoint
 {
-  bool AtSecond = false; ///< whether the second end is at s = 0
+  bool AtSecond = false; ///< whether the second end of the edge (see TriangleMap) is at s = 0
   /// Coordinate s; positive if the first end is at s = 0, negative if the second end is
   double S = 0.0;
   double LogS = 0.0; ///< log |s|
 };
 
-/// Conformal map of one TriangleShape that stores the coefficients of its series for further
-/// points. An edge is identified by its opposite corner k. The first end of the edge is corner k +
-/// 1 (mod 3). The second end is corner k + 2 (mod 3). The triangle must not be degenerate. Only one
-/// thread at a time may use this object.
+/// Conformal map of one TriangleShape. The coefficients of its power series are computed once, and
+/// reused for all further points. An edge is identified by its opposite corner k. The first end of
+/// the edge is corner k + 1 (mod 3). The second end is corner k + 2 (mod 3). The triangle must not
+/// be degenerate. Only one thread at a time may use this object.
 class TriangleMap
 {
 public:
@@ -56,7 +58,7 @@ public:
   /// @param[in] rotation  corner k of the table is corner k + rotation (mod 3) of the triangle
   TriangleMap(const TriangleShape& shape, const ShapeTable* table, int rotation);
 
-  /// Compute the table of a shape. The cost is that of mapping a few points without a table.
+  /// Compute the table of a shape. The cost is about that of mapping a few points without a table.
   static ShapeTable makeTable(const TriangleShape& shape);
 
   const TriangleShape& shape() const { return this->Shape; }
@@ -94,9 +96,11 @@ private:
   TriangleShape Shape;
   const ShapeTable* Table = nullptr;
   int Rotation = 0;
-  // whether LogLeading and LogLengths are computed, at the first call for an edge
+  // whether LogLeading and LogLengths are already computed; the first call for an edge computes
+  // them
   bool HasLogarithms = false;
-  std::array<double, 3> LogLeading{}; // logarithm of the factor k/a of the series at each corner
+  // Logarithm of the factor k/a of CornerSeries at each corner (constant k, angle a of the corner)
+  std::array<double, 3> LogLeading{};
   std::array<double, 3> LogLengths{}; // logarithm of the length of each edge
   std::array<halfdisk::CornerSeries, 3> Series;
 };
