@@ -12,6 +12,7 @@
 
 namespace conformal
 {
+/// Parameters of orient().
 struct OrientationOptions
 {
   int NumberOfIterations = 20;
@@ -20,7 +21,8 @@ struct OrientationOptions
   /// decreases linearly to LastWidth.
   double FirstWidth = 0.04;
   /// Smoothing width in the last iteration [units of the points]. A good width is half the distance
-  /// between neighboring points. For noisy points, it is twice the standard deviation of the noise.
+  /// between neighboring points. For noisy points, a good width is twice the standard deviation of
+  /// the noise.
   double LastWidth = 0.01;
 };
 

@@ -14,11 +14,11 @@
 
 namespace conformal
 {
-/// Selection of the samples of a pass. If there are at most as many samples as wanted, all are
-/// selected. Otherwise, samples at equal spacing in the sequence of the cloud are selected. The
-/// first selected position differs from pass to pass. In the course of many passes, all samples are
-/// thus selected. Each rank (MPI process) selects from its part of the cloud. All ranks together
-/// select the same samples as a single process would.
+/// Selection of the samples of each pass of training. If there are at most as many samples as
+/// wanted, all are selected. Otherwise, samples at equal spacing in the sequence of the cloud are
+/// selected. The first selected position differs from pass to pass. In the course of many passes,
+/// all samples are thus selected. Each rank (MPI process) selects from its part of the cloud. All
+/// ranks together select the same samples as a single process would.
 class SampleRotation
 {
 public:

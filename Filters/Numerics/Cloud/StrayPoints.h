@@ -32,7 +32,7 @@ NearestPlane planeNear(
   const Points& points, const PointTree& tree, const Vector3& place, int count);
 
 /// Test whether a position and the points nearest to it are approximately in one plane. The test is
-/// passed with the eight nearest points or with the sixteen nearest points.
+/// made with the eight nearest points, and with the sixteen nearest points. One success suffices.
 /// @param[in] tree  tree of `points`; must have more than eight points
 bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place);
 

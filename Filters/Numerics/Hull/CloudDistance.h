@@ -31,13 +31,14 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 ///
 /// Distances up to one grid spacing are exact to float precision. Larger distances are upper
 /// bounds: each is the distance to a sample that is nearest to a neighboring node. The mean error
-/// of the upper bounds is a few hundredths. The maximum error is below 1.
+/// of the upper bounds is a few hundredths of the grid spacing. The maximum error is below one grid
+/// spacing.
 ///
 /// Implementation note: of a large cloud, only some samples are used. Let h be the grid spacing
 /// divided by the largest distance of a sample from the origin. If there are many more than 32 /
 /// h^2 samples, about 32 / h^2 are selected, evenly from their sequence. If the samples are on a
 /// sphere around the origin, two or three of them then remain for each area of one squared spacing.
-/// The selection reduces the cost. It also keeps outliers isolated.
+/// The selection reduces the cost. The selection also keeps outliers isolated.
 ///
 /// Implementation note: two kinds of outliers are ignored:
 /// - samples marked by strayPoints() (StrayPoints.h), which do not lie on the surface formed by

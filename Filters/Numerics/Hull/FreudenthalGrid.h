@@ -16,8 +16,8 @@ namespace conformal
 /// Represent a grid of cubes with its Freudenthal triangulation.
 ///
 /// Each cube of the grid is divided into six tetrahedra. The corners of a tetrahedron are the nodes
-/// of a path along three edges of the cube. The path leads from the lowest corner of the cube to
-/// the highest corner.
+/// of a path along three edges of the cube. The path leads from the lowest corner of the cube
+/// (lowest x, y and z) to the highest corner.
 ///
 /// The corners of a cube are numbered 0 to 7. Bits 0, 1 and 2 of the number are the offsets from
 /// the lowest corner along x, y and z. The lowest corner of a cube is joined by an edge to each
@@ -59,8 +59,8 @@ struct FreudenthalGrid
   std::array<int, 14> neighborSteps() const;
 };
 
-/// Call body(first, last) for every row of nodes that are not on the faces of the grid. The row
-/// consists of the nodes first to last - 1. Each of these nodes has all 14 neighbors.
+/// Call body(first, last) for every row of nodes along x, without nodes on the faces of the grid.
+/// The row consists of the nodes first to last - 1. Each node of the row has all 14 neighbors.
 void forInnerRows(const FreudenthalGrid& grid, const Run& run,
   const std::function<void(int first, int last)>& body);
 

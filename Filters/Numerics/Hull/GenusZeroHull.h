@@ -62,9 +62,9 @@ public:
   HullData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& nodes);
 
   /// Return whether a sample is within about two grid spacings of the points that determined the
-  /// surface. Return false for outliers, and for samples away from the largest connected component
-  /// of the solid (see below). With HullMethod::WindingNumbers, return false also for samples that
-  /// are inside of the surface and not near it.
+  /// surface. Return false for outliers, and for samples away from the solid, the connected set of
+  /// nodes inside of the surface. With HullMethod::WindingNumbers, return false also for samples
+  /// that are inside of the surface and not near it.
   bool contains(const Vector3& sample) const;
 
 private:
@@ -96,8 +96,8 @@ struct GenusZeroHullResult : Mesh
   /// WindingNumbers, the number of changed nodes that were clearly inside or outside: their winding
   /// number differed from the isovalue by more than 0.25.
   Index NumberOfCutInsideNodes = 0;
-  /// Number of nodes near points in the cut through one handle: the maximum over all handles. Set
-  /// by Distance.
+  /// For each handle, the nodes of its cut that are near points are counted. This is the maximum
+  /// over all handles. Set by Distance.
   Index NumberOfCutDataNodes = 0;
   /// Whether handles of this hull exist by chance only, and not in the object. chooseHull() sets
   /// this member of a hull by distance if the hull by winding numbers has no handles.
@@ -118,14 +118,14 @@ struct GenusZeroHullResult : Mesh
 /// offset. A cut between the limbs then removes only nodes that are not enclosed and not near
 /// points.
 ///
-/// A few removed nodes are tolerated, since sparse points can have gaps. The tolerance is one
-/// enclosed node per handle, at most four in total, and three nodes near points. Return false if no
-/// node is enclosed, or if HandlesByChance is set.
+/// A few removed nodes are tolerated, since sparse points can have gaps. Tolerated are one enclosed
+/// node per handle, at most four in total. Also tolerated are three nodes near points. Return false
+/// if no node is enclosed, or if HandlesByChance is set.
 bool hasHandles(const GenusZeroHullResult& hull);
 
 /// Return whether a hull is unreliable. There are four possible causes:
 ///
-/// - Holes in the cloud are too large for classification by distance.
+/// - Holes in the cloud are too large for classification by distance (Leaks).
 /// - The points enclose nothing.
 /// - The object has handles (hasHandles()).
 /// - More than 0.5 % of the samples are outside of the surface and not near it.
@@ -136,8 +136,8 @@ bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples)
 /// is [0, 1]. Return 0 if hasHandles() is false.
 double cutFraction(const GenusZeroHullResult& hull);
 
-/// Make one closed surface of genus zero around a cloud. The distance between the points and the
-/// surface is about the offset.
+/// Make one closed surface of genus zero around a cloud. With HullMethod::Distance, the distance
+/// between the points and the surface is about the offset, and the steps are:
 ///
 /// 1. Compute the distance to the points at the nodes of a grid (CloudDistance.h).
 /// 2. Classify each node as outside or not by persistence, which closes holes in the cloud
@@ -156,9 +156,9 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// the solid then contains fewer than half of the samples, all steps are repeated with twice the
 /// spacing.
 ///
-/// Memory: at most 17 bytes per node during the computation. Let h be the grid spacing. With
-/// HullMethod::Distance, the grid has at most (2 / h + 2 Offset + 8)^3 nodes, 2.5 million by
-/// default. The samples are not copied.
+/// Memory: at most 17 bytes per node during the computation. With HullMethod::Distance and the grid
+/// spacing h, the grid has at most (2 / h + 2 Offset + 8)^3 nodes, 2.5 million by default. The
+/// samples are not copied.
 ///
 /// @param[in] samples  at least one sample, of any affine rank; only a cloud of affine rank 3
 ///   encloses a volume
@@ -175,8 +175,8 @@ GenusZeroHullResult makeGenusZeroHull(
 /// The second hull is better if three conditions hold:
 /// - hasHandles() is false for the second hull. Handles that occur in both hulls are handles of the
 ///   object.
-/// - Its member Noise is at most 0.004, or Leaks is true for the first hull. Winding numbers of
-///   very noisy points are unreliable.
+/// - Noise of the second hull is at most 0.004, or Leaks is true for the first hull. Winding
+///   numbers of very noisy points are unreliable.
 /// - Few samples are outside of the second hull: not more than outside of the first hull, or at
 ///   most one in 4000. If Leaks is true for the first hull, one in 200 is allowed.
 /// @param[in] options  options for HullMethod::Distance; the member Method is ignored

@@ -30,7 +30,7 @@ struct Indicator
 /// evaluated. At all other nodes, values are interpolated between nodes of the coarse grid.
 ///
 /// @param[in] grid  grid that contains the points of the cloud
-/// @param[in] cloud  hierarchy of clusters of the points
+/// @param[in] cloud  points of the cloud, with a hierarchy of clusters for fast sums
 /// @param[in] areas  area vector of each point (area times outward unit normal), #P by 3
 /// @param[in] width  kernel width (smoothing radius) of the winding numbers, in the unit of the
 ///   points

@@ -19,10 +19,10 @@ namespace conformal
 /// manifold. Its topology is that of the boundary of the set.
 ///
 /// Usually, the value is below the level at nodes in the set, and above the level at other nodes.
-/// The vertex is then where linear interpolation along the edge reaches the level. A node of the
-/// set may also have a value above the level, and another node a value below the level. For
-/// example, this is the case where a handle of the set was cut or filled. The vertex on an edge of
-/// such a node is the midpoint of the edge.
+/// The vertex is then where linear interpolation along the edge reaches the level. Exceptions
+/// occur, for example, where a handle of the set was cut or filled: a node of the set has a value
+/// above the level, or another node has a value below the level. The vertex on an edge of such a
+/// node is the midpoint of the edge.
 ///
 /// @param[in] inside  1 for the nodes of the set, else 0; must be 0 on the faces of the grid
 /// @param[in] values  value of each node

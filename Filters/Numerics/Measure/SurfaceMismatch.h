@@ -29,8 +29,8 @@ struct SurfaceMismatchOptions
   int RandomSeed = 1; ///< seed of the positions of the samples
 };
 
-/// A web is a part of the model that spans a gap of the object. Parts of the model farther than
-/// this distance from the reference count as webs, in units of LengthUnit.
+/// A web is a part of the model that spans a gap of the object. Parts of the model count as webs if
+/// they are farther than this distance from the reference [LengthUnit].
 constexpr double WebDistance = 0.02;
 
 /// Measures of the mismatch between a model surface and a reference. Distances are divided by
@@ -57,9 +57,8 @@ struct SurfaceMismatch
 };
 
 /// Measure the mismatch error E_mis, \cite Liou2008 section 4.1, and the distances in the opposite
-/// direction. For a model M and #P reference points x, E_mis = 1 / #P sum_x dist(x, M)^2. This
-/// measure does not detect webs, since a model may pass through all reference points and also span
-/// gaps.
+/// direction. For a model M and #P reference points x, E_mis = 1 / #P sum_x dist(x, M)^2. E_mis
+/// does not detect webs, since a model may pass through all reference points and also span gaps.
 ///
 /// For MeanSquarePointToVertex, vertices of the model without triangles are ignored. If the
 /// reference has no triangles, the distance to the reference is the distance to its nearest point.

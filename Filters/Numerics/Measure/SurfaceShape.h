@@ -15,7 +15,8 @@ struct SurfaceShapeOptions
   /// Smoothing length of curvatures, divided by the square root of the surface area, in [0, 1].
   /// With 0, curvatures are not smoothed.
   double CurvatureScale = 0.01;
-  /// Length scale of the depth, divided by the square root of the surface area, in [0.001, 1].
+  /// Length scale s of the depth (see measureSurfaceShape()), divided by the square root of the
+  /// surface area, in [0.001, 1].
   double DepthScale = 0.1;
 };
 
@@ -55,7 +56,7 @@ Eigen::VectorXd meanCurvatureIntegrals(const Mesh& surface);
 Eigen::VectorXd gaussianCurvatureIntegrals(const Mesh& surface);
 
 /// Compute the area around each vertex: the part of the adjacent triangles to which this vertex is
-/// the nearest. Obtuse triangles are divided differently: half of the area belongs to the obtuse
+/// the nearest. Obtuse triangles are divided differently: half of their area belongs to the obtuse
 /// corner, and a quarter to each other corner. With these areas, curvatures are correct for every
 /// mesh whose vertices are on a sphere.
 Eigen::VectorXd nearestAreas(const Mesh& surface);

@@ -81,7 +81,7 @@ struct GluingReport
 /// @param[in] points  finite coordinates, #P by 3
 /// @param[in] triangles  #F by 3 ids of points
 /// @param[out] report  counts of the changes
-/// @throws std::invalid_argument if the largest part is not orientable
+/// @throws std::invalid_argument if the largest connected part is not orientable
 GluedSurface glueTriangles(
   const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run = {});
 

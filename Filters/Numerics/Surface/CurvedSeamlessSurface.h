@@ -39,8 +39,10 @@ enum class DomeHeight
   Fitted     ///< triangles curved to fit a point cloud (CurvedTriangleFit.h)
 };
 
+/// Parameters of a curved seamless surface.
 struct CurvedSeamlessSurfaceOptions
 {
+  /// Whether the maps of neighboring triangles from network to model agree on the common edge
   conformal::SeamMode SeamMode = conformal::SeamMode::EdgeMatched;
   conformal::DomeHeight DomeHeight = conformal::DomeHeight::Curvature;
   /// Factor by which lowerVertices() moves the vertices before the domes are built, in [0,
@@ -67,6 +69,7 @@ struct CurvedSeamlessSurfaceOptions
 class CurvedSeamlessSurface
 {
 public:
+  /// Point of the surface for one direction.
   struct Image
   {
     Vector3 Position = Vector3::Zero(); ///< point of the surface, q in \cite Liou2008
@@ -79,7 +82,7 @@ public:
   /// Build the surface, without evaluating it.
   /// @param[in] model  closed, consistently oriented mesh. Each vertex i has a position w_i in
   ///   space and a sphere position n_i. The vectors n_i may have any length but 0.
-  /// @param[in] options  shape of the domes and of the map
+  /// @param[in] options  kind of the domes, and of the map from network to model
   /// @param[in] cloud  samples to which the domes are fitted; used by DomeHeight::Fitted
   /// @throws std::invalid_argument if positions are not finite, or if a sphere position is zero
   /// @throws std::invalid_argument if the map does not cover the sphere exactly once
@@ -104,7 +107,7 @@ public:
   }
 
   /// Return the curved triangles of the surface, without the map to the sphere. If differentiable()
-  /// is false, there are no curved triangles.
+  /// is false, the result is empty.
   const CurvedTriangles& curvedTriangles() const { return this->Curved; }
 
   /// Return the vertices of the network, #V by 3 unit vectors.
@@ -288,7 +291,7 @@ struct CurvedSeamlessSurfaceResult
 /// @param[in] model  closed mesh with a map to the sphere; see the constructor of
 ///   CurvedSeamlessSurface
 /// @param[in] directions  #P by 3 vectors of any length but 0, called N^new in \cite Liou2008
-/// @param[in] options  shape of the domes and of the map
+/// @param[in] options  kind of the domes, and of the map from network to model
 /// @param[in] cloud  samples to which the domes are fitted; used by DomeHeight::Fitted
 /// @throws std::invalid_argument if the constructor of CurvedSeamlessSurface throws it
 /// @throws std::invalid_argument if a direction is zero or not finite

@@ -11,6 +11,7 @@
 
 namespace conformal
 {
+/// Parameters of fitCurvedTriangles().
 struct CurvedTriangleFitOptions
 {
   int NumberOfFitRounds = 6; ///< number of iterations, at least 0
@@ -32,7 +33,7 @@ struct CurvedTriangleFitOptions
 ///     lambda (L d)^2 + lambda / 10 (h / 4)^2 |n - n'|^2
 ///
 /// Here L d is the uniform Laplacian of the offsets: d minus the mean d of the neighbors. The
-/// normal n is tilted toward n', the mean normal of the adjacent triangles. The length h is the
+/// second term tilts n toward n', the mean normal of the adjacent triangles. The length h is the
 /// mean length of the adjacent edges. The factor lambda is FitSmoothness times the total weight of
 /// the samples, divided by the number of vertices.
 ///

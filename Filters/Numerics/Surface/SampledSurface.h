@@ -1,8 +1,9 @@
 /// Compute normals, orientation, support and marks for samples of a curved seamless surface. The
-/// samples are points of the surface in given directions, the vertices of a mesh on the sphere.
-/// Support is the degree to which points of the scan were near. Marks are set on degenerate
-/// triangles. The method is an own construction, not from a publication. Normals are averaged and
-/// filled in here, because \cite Liou2008 does not specify the shading of the samples.
+/// surface consists of curved patches, and has one point for each direction. The samples are the
+/// points for given directions, the vertices of a mesh on the sphere. Support is the degree to
+/// which points of the scan were near. Marks are set on degenerate triangles. The method is an own
+/// construction, not from a publication. Normals are averaged and filled in here, because
+/// \cite Liou2008 does not specify the shading of the samples.
 
 #ifndef ConformalSampledSurface_h
 #define ConformalSampledSurface_h
@@ -25,7 +26,7 @@ bool isOrientedInward(
 
 /// Replace the normal at each point by the normalized mean of the normals of adjacent triangles.
 /// Use this function for surfaces with DomeHeight None, Published or Scaled. The normals of these
-/// surfaces are those of flat triangles, and jump at edges.
+/// surfaces are those of flat triangles, and discontinuous at edges.
 /// @param[in,out] normals  unit normals; unchanged at points where the mean is zero
 void smoothNormals(const PointsIn& positions, const Triangles& triangles, PointsOut normals);
 

@@ -23,9 +23,10 @@ constexpr double MaximumVertexShift = 2.0;
 /// lowerVertices() moves vertices inward on ridges and outward in hollows. The share is the sum of
 /// two parts.
 ///
-/// The first part minimizes the squared distance between the curved triangles and the samples. The
-/// range of this part is [0, 1]. If the foot points (closest points) of the samples cover the flat
-/// triangles evenly, the first part is 1. If the samples are at the vertices, the first part is 0.
+/// With the first part as share, the sum of squared distances between the curved triangles and the
+/// samples is minimal. The range of this part is [0, 1]. If the foot points (closest points) of the
+/// samples cover the flat triangles evenly, the first part is 1. If the samples are at the
+/// vertices, the first part is 0.
 ///
 /// The second part corrects for decimated samples: vertices of a dense mesh that was reduced to
 /// fewer triangles. Decimation keeps more samples where the object is curved. There, decimation

@@ -38,9 +38,9 @@ struct Picture
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
 
 /// Combine a density with the details of a picture. If points are distributed by the result, half
-/// of them are due to `density`, and half to the details of the picture. The values of the picture
-/// may have any unit. A picture with only one color has no details. For such a picture, the density
-/// is returned unchanged.
+/// of them are due to `density`, and half to the details of the picture. The unit of the values of
+/// the picture has no effect. A picture with only one color has no details. For such a picture, the
+/// density is returned unchanged.
 /// @param[in] density  density of the half of the points that does not depend on the picture
 /// @param[in] picture  grid of pixels
 /// @param[in] image  position and projection of the picture on the sphere

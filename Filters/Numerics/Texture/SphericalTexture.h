@@ -31,11 +31,11 @@ constexpr double MaximumScale = 1e3;
 /// section 4.2. The position of the image on the sphere is chosen by chooseSphereView().
 ///
 /// With SplitSeam, the surface is cut along three kinds of lines: seams, where the projection is
-/// discontinuous; folds, where it is not smooth; and borders of the image. No triangle then shows
-/// the image mirrored or squeezed. The three corners of each triangle are then all inside of the
-/// image, or all outside. An edge is not cut within a thousandth of its length from an end. The
-/// projection bends the sides of triangles, so that the images of thin triangles may be mirrored.
-/// Mirrored triangles are divided at their longest side.
+/// discontinuous; folds, where it is not smooth; and borders of the image. After the cut, no
+/// triangle shows the image mirrored or squeezed. The three corners of each triangle are all inside
+/// of the image, or all outside. An edge is not cut within a thousandth of its length from an end.
+/// The projection bends the sides of triangles, so that the images of thin triangles may be
+/// mirrored. Mirrored triangles are divided at their longest side.
 ///
 /// @param[in] points  #V by 3 coordinates, finite
 /// @param[in] triangles  #F by 3 ids in [0, #V), at least one

@@ -14,7 +14,7 @@ namespace conformal
 {
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>; ///< (s, t)
 
-/// How points of the surface are textured whose texture coordinates are outside of the image.
+/// Texture of surface points that are outside of the image by their texture coordinates.
 enum class TextureWrap
 {
   Clamp,  ///< the border of the image is extended
