@@ -1,6 +1,6 @@
 /// Reduce the number of points of a point cloud. The method is our own construction. The points in
-/// each cell of a grid are averaged, because means have less noise. Bisection finds the cell size
-/// that gives the wanted number of means.
+/// each cell of a grid are averaged, because means have less noise. The cell size that gives the
+/// wanted number of means is found by bisection.
 
 #ifndef ConformalCloudThinning_h
 #define ConformalCloudThinning_h
@@ -20,9 +20,10 @@ struct OrientedPoints
 };
 
 /// Select samples evenly from the sequence of all samples. The sequence is divided into intervals
-/// of equal length. One sample is selected from each interval. The position of the sample in its
-/// interval varies, because the sequence of points of a scan may be periodic. All ranks (MPI
-/// processes) return the selected samples of all ranks.
+/// of equal length. One sample is selected from each interval. The position of the selected sample
+/// varies from interval to interval. A fixed position would select similar points if the sequence
+/// of the points is periodic, as in the rows of a scan. If the samples are distributed over ranks
+/// (MPI processes), every rank returns the selected samples of all ranks.
 /// @param[in] maximum  approximate number of samples to select. If there are fewer samples, all are
 ///   selected.
 OrientedPoints selectSamples(const TrainingSamples& samples, double maximum);

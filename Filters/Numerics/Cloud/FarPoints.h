@@ -1,6 +1,7 @@
-/// Detect points so far from a point cloud that they would determine its scale. The method is our
-/// own construction: it finds gaps in the distances of points from the median. The reason is that
-/// criteria based on distances to neighbors fail if many outliers have one position.
+/// Detect points so far from a point cloud that they would determine the size of its bounding box.
+/// The method is our own construction: it finds gaps in the distances of points from the median.
+/// Criteria based on distances to neighbors are not used, because they fail if many outliers have
+/// one position.
 
 #ifndef ConformalFarPoints_h
 #define ConformalFarPoints_h
@@ -28,7 +29,7 @@ struct FarPoints
 
   /// One quarter of the coordinate-wise median of the points
   Vector3 QuarterOfCenter = Vector3::Zero();
-  /// One quarter of a distance. Points with a larger distance from the median are far.
+  /// One quarter of the distance from the median beyond which points are far
   double QuarterOfReach = std::numeric_limits<double>::infinity();
 
   /// Test whether a finite point is far. The test uses quarters of coordinates, since differences
@@ -40,29 +41,35 @@ struct FarPoints
 };
 
 /// Find the far points of a cloud: a few points at a great distance from all others. If its
-/// bounding box included these points, the cloud would be too small for any grid over the box.
-/// Examples of far points are invalid pixels with position (0, 0, 0), and outliers with huge
+/// bounding box included these points, the cloud would occupy only a few cells of any grid over the
+/// box. Examples of far points are invalid pixels with position (0, 0, 0), and outliers with huge
 /// coordinates.
 ///
 /// Distances are measured from the coordinate-wise median, in the maximum norm. The radius of the
 /// cloud is the distance within which nine tenths of the positions lie. Two sets of points are
-/// tested in this sequence. The far points are the first set that is accepted.
+/// tested, in the sequence of the following list. The far points are the first set that is
+/// accepted.
 /// - points beyond a gap. A gap is an interval of distances from R to 4 R that contains at most 3
-///   points. R is at least the radius. The gap with the smallest R is used.
-/// - points at distances above 32 radii.
+///   points, where R is at least the radius. The gap with the smallest R is used.
+/// - points at distances above 32 times the radius.
 ///
-/// A set is accepted if it has at most 32 different positions. A set is also accepted if two
-/// conditions hold. First, the number of its positions is at most a twentieth of the number of
-/// points. Second, the set does not form a surface. The set forms a surface if at least a quarter
-/// of its points are flat. A point is flat if it passes liesFlat() (StrayPoints.h), and its eight
-/// nearest neighbors in the set are near. Near means a distance of less than half the distance from
-/// the point to the median.
+/// A set is accepted in two cases:
+/// - The set has at most 32 different positions.
+/// - The number of its different positions is at most a twentieth of the number of points of the
+///   cloud, and the set does not form a surface.
+///
+/// A set forms a surface if at least a quarter of its positions are flat. A position is flat if two
+/// conditions hold:
+/// - The position passes liesFlat() (StrayPoints.h): the position and its nearest neighbors in the
+///   set are approximately in one plane.
+/// - Its eight nearest neighbors in the set are closer than half the distance from the position to
+///   the median.
 ///
 /// Several points at one position count as one position. A cloud with fewer than 20 positions has
 /// no far points.
 ///
 /// @param[in] points  #P by 3 coordinates, in any unit. Points that are not finite are ignored.
-/// @param[in] skip    function that returns true for points to leave out; may be empty
+/// @param[in] skip    function that returns true for points that are not examined; may be empty
 /// @param[in] reduce  communication between ranks; each rank passes its part of the cloud
 /// @throws Aborted
 /// @post the result does not depend on the number of threads or ranks

@@ -1,6 +1,7 @@
-/// Find the closest surface points of many samples on all threads, and process them serially. The
-/// scheme is our own construction: samples are processed in chunks of limited size, which limits
-/// the memory. Within a chunk, the sequence of results does not depend on the number of threads.
+/// Find the closest surface points (foot points) of many samples on all threads, and pass them to a
+/// function serially. The scheme is our own construction: samples are processed in chunks of
+/// limited size, which limits the memory. Within a chunk, the sequence of calls does not depend on
+/// the number of threads.
 
 #ifndef ConformalFootPoints_h
 #define ConformalFootPoints_h
@@ -17,7 +18,7 @@ namespace conformal
 /// Function that finds the point of a surface closest to a sample.
 /// @param[in] id    id of the sample
 /// @param[in] x     position of the sample
-/// @param[in] hint  id of a triangle that may be near x, or -1
+/// @param[in] hint  id of a triangle that may be near x, which reduces the cost; -1 for none
 using ClosestPoint = std::function<FootPoint(Index id, const Vector3& x, int hint)>;
 
 /// Call body(id, x, foot) serially for the samples idOf(0), idOf(1), ..., idOf(count - 1). Here, x
@@ -33,10 +34,12 @@ void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, In
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run = {});
 
-/// Call body(i, x, foot) serially, once for each i in [0, count). Here, x is the position of sample
-/// idOf(i), and foot is the point of a triangle mesh closest to x. The samples are sorted along a
-/// Morton curve, so that nearby triangles stay in the cache of the processor. Use this function
-/// only if the sequence of calls does not matter, for example for FixedPointSums.
+/// Call body(i, x, foot) serially, once for each i in [0, count), in any sequence. Here, x is the
+/// position of sample idOf(i), and foot is the point of a triangle mesh closest to x. The samples
+/// are sorted along a Morton curve, on which successive samples are usually close together. The
+/// triangles near the samples thus stay in the cache of the processor. Use this function only if
+/// the sequence of calls does not matter. An example are FixedPointSums, whose sums do not depend
+/// on the order.
 void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run = {});

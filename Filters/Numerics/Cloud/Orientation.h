@@ -12,23 +12,28 @@
 
 namespace conformal
 {
+/// Parameters of orient().
 struct OrientationOptions
 {
   int NumberOfIterations = 20;
-  /// Smoothing width of the winding numbers in the first iteration [units of the points], see
-  /// WindingNumbers. In later iterations, the width decreases linearly to LastWidth.
+  /// Smoothing width in the first iteration [units of the points]: the radius of the ball over
+  /// which winding numbers are averaged, see WindingNumbers. In later iterations, the width
+  /// decreases linearly to LastWidth.
   double FirstWidth = 0.04;
   /// Smoothing width in the last iteration [units of the points]. A good width is half the distance
-  /// between neighboring points. For noisy points, it is twice the standard deviation of the noise.
+  /// between neighboring points. For noisy points, a good width is twice the standard deviation of
+  /// the noise.
   double LastWidth = 0.01;
 };
 
-/// Compute outward area vectors at the points of a cloud, so that the winding number is 1/2 at all
-/// points. An area vector is the outward normal times the area that the point represents.
-/// Initially, all area vectors are zero. Each iteration has two parts:
+/// Compute outward area vectors at the points of a cloud. An area vector is the outward normal
+/// times the area that the point represents. The area vectors define winding numbers, which are
+/// about 1 inside and 0 outside. The aim is a winding number of 1/2 at all points. Initially, all
+/// area vectors are zero. Each iteration has two parts:
 /// - One step of steepest descent reduces the sum of squares of A a - 1/2. Here, a are the area
-///   vectors, and A a are the winding numbers at the points. The terms of the sum are weighted by
-///   sparsityOf(). This part is Parametric Gauss Reconstruction, \cite Lin2022.
+///   vectors, and A a are the winding numbers at the points. The term of each point is weighted by
+///   sparsityOf(), so that sparse parts of the cloud count more. This part is Parametric Gauss
+///   Reconstruction, \cite Lin2022.
 /// - Each area vector is rotated to the direction of the negative gradient of the winding number.
 ///   This part is Winding Number Normal Consistency, \cite Lin2024.
 ///
@@ -47,8 +52,8 @@ Points orient(
 std::vector<double> areasOfPoints(const Points& points, const Run& run = {});
 
 /// Compute how sparse the cloud is at each point. The result is the area of the point, see
-/// areasOfPoints(), divided by the median area. If this ratio is at most 4, or if isolatedPoints()
-/// marks the point as an outlier, the result is 1.
+/// areasOfPoints(), divided by the median area. The result is 1 if this ratio is at most 4. The
+/// result is also 1 for outliers, which isolatedPoints() (StrayPoints.h) marks with farthest = 2.5.
 /// @return #P ratios, at least 1
 Eigen::VectorXd sparsityOf(const Points& points, const Run& run = {});
 
@@ -57,10 +62,13 @@ Eigen::VectorXd sparsityOf(const Points& points, const Run& run = {});
 /// @param[in] normals  #P by 3 unit vectors or zeros
 Points areaVectors(const Points& points, const Points& normals, const Run& run = {});
 
-/// Make area vectors point outward: if most of them point inward, reverse all.
+/// Make area vectors point outward: if the median of the winding numbers at the points is negative,
+/// reverse all area vectors.
 /// @param[in,out] areas  #P by 3 area vectors
-/// @return whether at least three quarters of the area vectors point outward by a clear margin. If
-///   false, do not use the area vectors: their orientations are inconsistent.
+/// @param[in] width  smoothing width of the winding numbers, in the unit of the points
+/// @return whether the orientations are consistent: afterward, the median is above 0.15, and more
+///   than three quarters of the winding numbers are positive. If false, do not use the area
+///   vectors.
 bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const Run& run = {});
 
 /// Estimated noise of the points of a cloud, computed by noiseOf().
@@ -69,8 +77,9 @@ struct PointNoise
   /// #P signed distances from each point to the mean of its neighbors, along the normal of the
   /// point
   Eigen::VectorXd Offsets;
-  /// Standard deviation of the noise. The parts of Offsets that are caused by the bending of the
-  /// surface are subtracted first.
+  /// Standard deviation of the noise, estimated from Offsets. The bending of the surface also
+  /// causes offsets, nearly equal at neighboring points. These offsets are therefore subtracted
+  /// first.
   double Deviation = 0.0;
 };
 

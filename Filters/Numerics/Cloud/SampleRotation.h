@@ -1,6 +1,7 @@
 /// Select another subset of the samples for each pass of training, deterministically. The selection
-/// is our own construction: each subset is shifted by the golden section. The subsets of successive
-/// passes are then evenly distributed over all samples.
+/// is our own construction: in each pass, the selected positions are shifted by 0.618 (the golden
+/// section) of their spacing. The subsets of successive passes are then evenly distributed over all
+/// samples.
 
 #ifndef ConformalSampleRotation_h
 #define ConformalSampleRotation_h
@@ -13,11 +14,11 @@
 
 namespace conformal
 {
-/// Selection of the samples of a pass. If there are at most as many samples as wanted, all are
-/// selected. Otherwise, samples at equal spacing in the sequence of the cloud are selected. The
-/// first position differs from pass to pass, so that all samples are used in the course of many
-/// passes. Each rank (MPI process) selects from its part of the cloud. All ranks together select
-/// the same samples as a single process would.
+/// Selection of the samples of each pass of training. If there are at most as many samples as
+/// wanted, all are selected. Otherwise, samples at equal spacing in the sequence of the cloud are
+/// selected. The first selected position differs from pass to pass. In the course of many passes,
+/// all samples are thus selected. Each rank (MPI process) selects from its part of the cloud. All
+/// ranks together select the same samples as a single process would.
 class SampleRotation
 {
 public:
@@ -34,7 +35,7 @@ public:
   void turn(Index wanted)
   {
     this->TotalCount = std::min(wanted, this->Total);
-    // Multiples of this number modulo 1 are evenly distributed
+    // Multiples of this number modulo 1 are evenly distributed in [0, 1).
     constexpr double GoldenSection = 0.6180339887498949;
     this->Start = std::fmod(this->Start + GoldenSection, 1.0);
     this->Begin = this->firstFrom(this->First);

@@ -14,14 +14,15 @@
 
 namespace conformal
 {
-/// Plane fitted to the points nearest to a position. The nearest point is not used, since it is
-/// usually the point at this position.
+/// Plane fitted to the points nearest to a position. The nearest point is not used. Usually, the
+/// position is that of a point of the cloud, which is its own nearest point.
 struct NearestPlane
 {
   Vector3 Normal; ///< unit length
   /// Signed distance from the position to the plane, positive along the normal
   double Offset = 0.0;
-  Vector3 SquareWidths; ///< variances of the points along their principal axes, ascending
+  /// Variances of the points along their principal axes, ascending; the first is along Normal
+  Vector3 SquareWidths;
 };
 
 /// Fit a plane to the points nearest to a position.
@@ -30,8 +31,8 @@ struct NearestPlane
 NearestPlane planeNear(
   const Points& points, const PointTree& tree, const Vector3& place, int count);
 
-/// Test whether a position and its eight nearest points are approximately in one plane. If not,
-/// test its sixteen nearest points.
+/// Test whether a position and the points nearest to it are approximately in one plane. The test is
+/// made with the eight nearest points, and with the sixteen nearest points. One success suffices.
 /// @param[in] tree  tree of `points`; must have more than eight points
 bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place);
 
@@ -52,8 +53,8 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {})
 /// nearest neighbors. A point is also marked if its d exceeds `farthest` times the median of d over
 /// all points.
 ///
-/// Marks are then removed from sparse parts of a surface. A mark is removed if at least a quarter
-/// of the 32 nearest marked points pass liesFlat().
+/// Marked points may also be a sparse part of a surface. Their marks are therefore removed: a point
+/// loses its mark if at least a quarter of the 32 marked points nearest to it pass liesFlat().
 ///
 /// @param[in] points    #P by 3 coordinates, finite
 /// @param[in] farthest  maximum d of points that are not marked, divided by the median of d over

@@ -13,9 +13,10 @@
 
 namespace conformal
 {
-/// Samples for training, called patterns x in X in \cite Liou2008 section 2. Points are not copied,
-/// but normalized on each access. Normalization moves the weighted centroid of the samples to the
-/// origin. Normalization then scales the largest distance of a sample from the origin to 1.
+/// Samples for training, called patterns x in X in \cite Liou2008 section 2. Points are not copied.
+/// Each access normalizes the returned point. Normalization moves the weighted centroid of the
+/// samples to the origin. Normalization then scales the largest distance of a sample from the
+/// origin to 1.
 ///
 /// The cloud may be distributed over several ranks (MPI processes). Each rank then has the samples
 /// of its part of the cloud. Normalization uses the centroid and radius of the whole cloud. All
@@ -58,6 +59,7 @@ public:
   /// zero or not finite is unknown. Call this function either on all ranks or on no rank.
   /// @throws std::invalid_argument if the number of normals differs from the number of points
   void setNormals(const PointView& normals);
+  /// Return whether setNormals() was called.
   bool oriented() const { return this->Oriented; }
   Vector3 normal(Index i) const { return this->Normals[this->id(i)]; }
 
@@ -69,13 +71,17 @@ public:
   Points normalizeAll(Points points) const;
   /// Convert many points from normalized coordinates to input coordinates.
   Points restoreAll(Points points) const;
+  /// Return the length in input coordinates that corresponds to 1 in normalized coordinates.
   double scale() const { return this->Scale; }
 
   /// Return the number of points on all ranks with a coordinate that is not finite.
   Index numberOfNonFinite() const { return this->NonFinite; }
 
-  /// Return the affine rank of the samples. If all samples are equal, or there are none, the affine
-  /// rank is 0. If all are on a line, it is 1; if all are in a plane, it is 2. Otherwise it is 3.
+  /// Return the affine rank of the samples:
+  /// - 0 if all samples are equal, or there are none,
+  /// - 1 if all samples are on a line,
+  /// - 2 if all samples are in a plane,
+  /// - 3 otherwise.
   int dimension() const { return this->Dimension; }
 
   /// Return the object for communication between ranks.

@@ -20,13 +20,16 @@ namespace conformal
 ///
 /// The result w(x) is the winding number averaged over a ball of radius `width` around x. The
 /// average is smooth near the points. Winding numbers at given positions are linear in the area
-/// vectors a, and are written as A a below.
+/// vectors a. Below, A is the matrix of this linear map, and A a are the winding numbers.
 ///
 /// The points of a distant cluster are added as one point. A cluster is distant from x if two
-/// conditions hold. The distance of its center from x exceeds twice the longest side of its
-/// bounding box. All of its points are farther from x than `width`. The resulting error of w is a
-/// few thousandths. The cost for one position is logarithmic in the number of points. Results have
-/// the same bits for any number of threads.
+/// conditions hold:
+/// - The distance from x to the center of its bounding box exceeds twice the longest side of this
+///   box.
+/// - All points of the cluster are farther from x than `width`.
+///
+/// The resulting error of w is a few thousandths. The cost for one position is logarithmic in the
+/// number of points. Results have the same bits for any number of threads.
 class WindingNumbers
 {
 public:
@@ -46,7 +49,8 @@ public:
   /// vectors are approximately correct, the negative gradient points outward.
   Points descentAtPoints(const Points& areas, double width, const Run& run = {}) const;
 
-  /// Multiply the transpose of A by given values. Here A is the matrix for the points of the cloud.
+  /// Multiply the transpose of A by given values, one for each point. Here A is the matrix for
+  /// winding numbers at the points of the cloud.
   Points transposed(const Eigen::VectorXd& values, double width, const Run& run = {}) const;
 
   /// Term of the sum for w(x): a point, or a cluster of points.
@@ -54,7 +58,7 @@ public:
   {
     Eigen::Vector3f Position, Strength;
   };
-  /// Terms of the sum for w(x), for given area vectors.
+  /// Terms of the sum for w(x): all points and all clusters, for given area vectors.
   struct Sources
   {
     std::vector<Source> OfPoints, OfClusters;
@@ -74,7 +78,8 @@ private:
   {
     Vector3 Center;        ///< center of the bounding box
     double HalfSide = 0.0; ///< half of the longest side of the bounding box
-    /// Range of positions in Order that contains the points of the cluster
+    /// Range [First, Last) of indices into Order: these entries are the ids of the points of the
+    /// cluster
     int First = 0, Last = 0;
     int Next = 0; ///< index of the next cluster that is not part of this cluster
     bool Leaf = false;
@@ -87,7 +92,7 @@ private:
   void sumAtPoints(const Sources& sources, double width, const Run& run, const Sum& sum) const;
 
   Points Places;
-  std::vector<int> Order; ///< ids of the points in the sequence of the clusters
+  std::vector<int> Order; ///< ids of the points; the points of each cluster are consecutive
   std::vector<Cluster> Clusters;
   /// Indices of disjoint clusters that together contain all points. Sums at the points of each of
   /// these clusters are evaluated together.

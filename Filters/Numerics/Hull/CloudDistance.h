@@ -14,8 +14,8 @@
 
 namespace conformal
 {
-/// Make a grid of cubes around the samples. On each side, the grid extends `margin` nodes beyond
-/// the bounding box of the samples.
+/// Make a grid of cubes around the samples, in their normalized coordinates (TrainingSamples.h). On
+/// each side, the grid extends `margin` nodes beyond the bounding box of the samples.
 /// @throws std::invalid_argument if the grid would have more than MaximumNumberOfNodes; the message
 ///   contains a spacing that is large enough
 FreudenthalGrid gridAround(
@@ -24,25 +24,30 @@ FreudenthalGrid gridAround(
 /// Make a grid of cubes around a box. On each side, the grid extends `margin` nodes beyond the box.
 FreudenthalGrid gridAround(const Box& bounds, double spacing, int margin);
 
+/// Maximum number of nodes of a grid.
 constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 
 /// Compute the distance of each node to the nearest sample, in units of the grid spacing.
 ///
-/// Distances up to 1 are exact to float precision. Larger distances are upper bounds: each is the
-/// distance to a sample that is nearest to a neighboring node. Their mean error is a few
-/// hundredths, their maximum error is below 1.
+/// Distances up to one grid spacing are exact to float precision. Larger distances are upper
+/// bounds: each is the distance to a sample that is nearest to a neighboring node. The mean error
+/// of the upper bounds is a few hundredths of the grid spacing. The maximum error is below one grid
+/// spacing.
 ///
-/// Implementation note: a large cloud is reduced. Let h be the grid spacing divided by the largest
-/// distance of a sample from the origin. If there are many more than 32 / h^2 samples, about 32 /
-/// h^2 are selected, evenly from their sequence. On a sphere around the origin, two or three
-/// samples then remain for each area of one squared spacing. The selection reduces the cost and
-/// keeps outliers isolated.
+/// Implementation note: of a large cloud, only some samples are used. Let h be the grid spacing
+/// divided by the largest distance of a sample from the origin. If there are many more than 32 /
+/// h^2 samples, about 32 / h^2 are selected, evenly from their sequence. If the samples are on a
+/// sphere around the origin, two or three of them then remain for each area of one squared spacing.
+/// The selection reduces the cost. The selection also keeps outliers isolated.
 ///
-/// Implementation note: two kinds of outliers are ignored. The first kind are the samples marked by
-/// strayPoints(), which do not lie on the surface formed by other samples. The second kind are
-/// isolated samples, single or in groups of a few. Isolated samples are at least two spacings away
-/// from all other samples. Isolated samples are kept if the cloud is sparse, or if they are more
-/// than a twentieth of all samples.
+/// Implementation note: two kinds of outliers are ignored:
+/// - samples marked by strayPoints() (StrayPoints.h), which do not lie on the surface formed by
+///   other samples.
+/// - isolated samples: single samples or groups of a few, separated from all other samples by at
+///   least about two grid spacings.
+///
+/// Isolated samples are kept if the cloud is sparse, or if they are more than a twentieth of all
+/// samples.
 ///
 /// Memory: 9 bytes per node during the computation.
 ///

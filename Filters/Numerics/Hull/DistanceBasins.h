@@ -1,6 +1,6 @@
 /// Classify grid nodes as inside or outside of a point cloud that may have holes. Each local
 /// maximum of the distance to the points defines a region, its basin. Basins are merged by their
-/// persistence, \cite Edelsbrunner2002.
+/// persistence \cite Edelsbrunner2002, here a ratio of distances.
 
 #ifndef ConformalDistanceBasins_h
 #define ConformalDistanceBasins_h
@@ -17,18 +17,19 @@ namespace conformal
 /// Hole in a point cloud through which a cavity is connected to the outside.
 struct DataHole
 {
-  /// Distance to the points at the saddle of the distance in the hole. This is approximately the
-  /// radius of the hole; 0 if there is no hole.
+  /// Distance to the points at the saddle, which is the middle of the hole. The number is
+  /// approximately the radius of the hole; 0 if there is no hole.
   double Saddle = 0.0;
-  double Peak = 0.0; ///< maximum distance of a node in the cavity to the points
+  double Peak = 0.0; ///< maximum distance to the points, over all nodes in the cavity
 };
 
+/// Result of findOutside().
 struct OutsideNodes
 {
   std::vector<std::uint8_t> Outside; ///< 1 for each node that is outside, else 0
   DataHole LargestHole;              ///< largest hole that was closed
   /// Whether the cloud leaks: almost no node was inside by the persistence rule of findOutside().
-  /// In this case, the likeliest basin was classified as inside.
+  /// In this case, only the likeliest basin was classified as inside.
   bool Leaks = false;
 };
 
@@ -36,26 +37,29 @@ struct OutsideNodes
 /// points, or are within the offset of a point.
 ///
 /// The nodes farther than the offset from the points form basins, one for each local maximum of the
-/// distance. A basin consists of the nodes from which steepest ascent leads to the same maximum,
-/// its peak. The saddle between two basins is the largest distance at which the basins touch each
-/// other. Basins are merged from the highest saddle down, as in a watershed transform.
+/// distance. A basin consists of the nodes from which steepest ascent leads to the same maximum.
+/// The distance at the maximum is called the peak of the basin. The saddle between two basins is
+/// the largest distance at which the basins touch each other. Basins are merged from the highest
+/// saddle down, as in a watershed transform.
 ///
-/// Suppose that a basin touches the outside at a saddle. If its peak exceeds `persistence` times
-/// the saddle, the basin is classified as inside. The hole at the saddle is thus closed. Otherwise,
-/// the basin is merged into the outside. Even a hole much wider than the offset is thus closed if
-/// the cavity behind the hole is wider.
+/// Suppose that a basin touches the outside at a saddle. If the peak of the basin exceeds
+/// `persistence` times the saddle, the basin is classified as inside. The hole at the saddle is
+/// thus closed. Otherwise, the basin is merged into the outside. Even a hole much wider than the
+/// offset is thus closed if the cavity behind the hole is wider.
 ///
-/// The cloud leaks if almost no node is inside by this rule. A hole is then about as wide as the
-/// cavity behind it. One basin is then classified as inside. A basin is a candidate if two
-/// conditions hold. First, its peak is at least 1.1 times its saddle to the outside. Second, at
-/// least two thirds of all rays from the peak reach a point of the cloud. The candidate with the
-/// largest difference between peak and saddle is selected.
+/// The cloud leaks if almost no node is inside by this rule. If a cloud leaks, a hole is about as
+/// wide as the cavity behind it. At most one basin of such a cloud is classified as inside: the
+/// candidate with the largest difference between peak and saddle. A basin is a candidate if two
+/// conditions hold:
+/// - Its peak is at least 1.1 times its saddle to the outside.
+/// - At least two thirds of all rays from its maximum reach a point of the cloud.
 ///
 /// @param[in,out] distances  distance of each node to the points, in any unit. Nodes on the faces
 ///   of the grid are always outside; their distances are set to the largest float.
 /// @param[in] offset  nodes within this distance of a point are not outside; in the unit of the
 ///   distances
-/// @param[in] persistence  minimum ratio of peak to saddle of an inside basin, at least 1
+/// @param[in] persistence  minimum ratio of peak to saddle for a basin that is classified as
+///   inside, at least 1
 OutsideNodes findOutside(const FreudenthalGrid& grid, std::vector<float>& distances, double offset,
   double persistence, const Run& run = {});
 }

@@ -1,5 +1,5 @@
-/// Divide the cubes of a grid into tetrahedra by the triangulation of \cite Freudenthal1942. Every
-/// set of grid nodes then has an unambiguous topology.
+/// Divide the cubes of a grid into tetrahedra by the triangulation of \cite Freudenthal1942.
+/// Connectivity and handles of every set of grid nodes are then unambiguous.
 
 #ifndef ConformalFreudenthalGrid_h
 #define ConformalFreudenthalGrid_h
@@ -16,22 +16,23 @@ namespace conformal
 /// Represent a grid of cubes with its Freudenthal triangulation.
 ///
 /// Each cube of the grid is divided into six tetrahedra. The corners of a tetrahedron are the nodes
-/// of a path along three edges of the cube. The path leads from the lowest corner of the cube to
-/// the highest corner.
+/// of a path along three edges of the cube. The path leads from the lowest corner of the cube
+/// (lowest x, y and z) to the highest corner.
 ///
 /// The corners of a cube are numbered 0 to 7. Bits 0, 1 and 2 of the number are the offsets from
 /// the lowest corner along x, y and z. The lowest corner of a cube is joined by an edge to each
-/// other corner of the cube. Each node therefore has 14 neighbors. Seven are corners of the cube
-/// whose lowest corner is the node. The others are in the opposite directions.
+/// other corner of the cube. Each node therefore has 14 neighbors. Seven neighbors are corners of
+/// the cube whose lowest corner is the node. The other seven are in the opposite directions.
 ///
-/// A set of nodes represents all simplices whose nodes are in the set. The topology of a set and
-/// the topology of its complement are dual to each other. Each node has the same 14 neighbors in
-/// the set and in the complement.
+/// A set of nodes represents all simplices (nodes, edges, triangles and tetrahedra) whose nodes are
+/// in the set. The topology of a set and the topology of its complement are dual to each other. For
+/// example, a cavity of the set is a component of the complement. The same 14 neighbors are used
+/// for connectivity in the set and in the complement.
 struct FreudenthalGrid
 {
-  Vector3 Origin = Vector3::Zero();
-  double Spacing = 1.0;
-  std::array<int, 3> Size = { 0, 0, 0 };
+  Vector3 Origin = Vector3::Zero();      ///< position of node 0
+  double Spacing = 1.0;                  ///< side of a cube
+  std::array<int, 3> Size = { 0, 0, 0 }; ///< number of nodes along x, y and z
 
   Index numberOfNodes() const
   {
@@ -58,8 +59,8 @@ struct FreudenthalGrid
   std::array<int, 14> neighborSteps() const;
 };
 
-/// Call body(first, last) for every row of nodes that are not on the faces of the grid. The row
-/// consists of the nodes first to last - 1. Each of these nodes has all 14 neighbors.
+/// Call body(first, last) for every row of nodes along x, without nodes on the faces of the grid.
+/// The row consists of the nodes first to last - 1. Each node of the row has all 14 neighbors.
 void forInnerRows(const FreudenthalGrid& grid, const Run& run,
   const std::function<void(int first, int last)>& body);
 
@@ -79,16 +80,16 @@ Index eulerNumber(
   const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Compute the part of the Euler number that is due to simplices with at least one of the given
-/// nodes. If only given nodes are added to the set or removed, both numbers change by the same
-/// amount.
+/// nodes. If only given nodes are added to the set or removed, this part and the Euler number of
+/// the set change by the same amount.
 /// @param[in] nodes  given nodes; none of them may be on the faces of the grid
 Index eulerNumberAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<int>& nodes);
 
-/// Return whether a node is simple. Adding a simple node to a set, or removing a simple node,
-/// preserves the topology of set and complement. A node is simple if two conditions hold. First,
-/// the neighbors in the set are connected, and there is at least one. Second, the neighbors in the
-/// complement are connected, and there is at least one.
+/// Return whether a node is simple. If a simple node is added to a set, or removed from it, the
+/// topology of set and complement is preserved. A node is simple if two conditions hold:
+/// - At least one neighbor is in the set, and the neighbors in the set are connected.
+/// - At least one neighbor is in the complement, and the neighbors in the complement are connected.
 ///
 /// @param[in] neighbors  bit i is 1 if neighbor i of FreudenthalGrid::neighborSteps() is in the set
 bool isSimpleNode(unsigned int neighbors);

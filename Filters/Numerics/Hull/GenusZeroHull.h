@@ -1,8 +1,8 @@
 /// Make a closed surface of genus zero around a point cloud. The method is an own construction, not
 /// from a publication. The surface is the boundary of a set of grid nodes with the topology of a
-/// ball. Such a boundary always has genus zero. All lengths are in the normalized frame of the
-/// samples. There, the weighted centroid is the origin, and the largest distance of a sample from
-/// the origin is 1.
+/// ball. The boundary of a ball always has genus zero. All lengths are in the normalized
+/// coordinates of the samples. There, the weighted centroid is the origin, and the largest distance
+/// of a sample from the origin is 1.
 
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h
@@ -18,11 +18,11 @@
 
 namespace conformal
 {
-/// Method that classifies space as inside or outside of a cloud.
+/// Method that classifies positions as inside or outside of a cloud.
 enum class HullMethod
 {
-  /// Use Distance. If that hull seems wrong and a hull by WindingNumbers is better, use
-  /// WindingNumbers; see chooseHull().
+  /// First use Distance. If the hull by Distance seems wrong and a hull by WindingNumbers is
+  /// better, use WindingNumbers; see chooseHull().
   Automatic,
   Distance,      ///< classify by the distance to the points: small holes are closed
   WindingNumbers ///< classify by winding numbers of all points: holes are closed by extrapolation
@@ -35,8 +35,8 @@ struct GenusZeroHullOptions
   double Spacing = 0.016;
   /// Distance between the points and the surface, in grid spacings. Used by method Distance.
   double Offset = 1.0;
-  /// Minimum ratio of peak to saddle of an inside basin, see findOutside(). Used by method
-  /// Distance.
+  /// Minimum ratio of the width of a cavity to the width of its hole for which the hole is closed.
+  /// See `persistence` of findOutside(). Used by method Distance.
   double Persistence = 1.5;
   int SmoothingPasses = 10; ///< number of smoothing passes over the surface, at least 0
 };
@@ -52,6 +52,7 @@ struct GenusZeroHullLimits
 };
 
 /// Region near the points that determined the surface of a hull, stored as a set of grid nodes.
+/// Outliers, for example, did not determine the surface.
 class HullData
 {
 public:
@@ -61,9 +62,9 @@ public:
   HullData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& nodes);
 
   /// Return whether a sample is within about two grid spacings of the points that determined the
-  /// surface. Return false for outliers, and for samples away from the largest connected component.
-  /// With HullMethod::WindingNumbers, return false also for samples that are inside of the surface
-  /// and not near it.
+  /// surface. Return false for outliers, and for samples away from the solid, the connected set of
+  /// nodes inside of the surface. With HullMethod::WindingNumbers, return false also for samples
+  /// that are inside of the surface and not near it.
   bool contains(const Vector3& sample) const;
 
 private:
@@ -80,7 +81,8 @@ struct GenusZeroHullResult : Mesh
   HullMethod Method = HullMethod::Distance; ///< method that made this hull; never Automatic
   double Noise = 0.0;       ///< estimated standard deviation of the noise; set by WindingNumbers
   bool NormalsUsed = false; ///< whether the normals of the samples were used; set by WindingNumbers
-  /// Kernel width of the winding numbers, which increases with the noise. Set by WindingNumbers.
+  /// Kernel width (smoothing radius) of the winding numbers, which increases with the noise. Set by
+  /// WindingNumbers.
   double Width = 0.0;
   double Spacing = 0.0; ///< grid spacing: the option Spacing, or a multiple of it
   /// With method Distance, the number of enclosed nodes (nodes farther than the offset from the
@@ -91,14 +93,14 @@ struct GenusZeroHullResult : Mesh
   /// Number of nodes removed from the solid to cut handles, or added to fill handles.
   Index NumberOfCutNodes = 0;
   /// With method Distance, the number of enclosed nodes that were removed. With method
-  /// WindingNumbers, the number of changed nodes whose winding number was clearly inside or
-  /// outside.
+  /// WindingNumbers, the number of changed nodes that were clearly inside or outside: their winding
+  /// number differed from the isovalue by more than 0.25.
   Index NumberOfCutInsideNodes = 0;
-  /// Number of nodes near points in the cut through one handle: the maximum over all handles. Set
-  /// by Distance.
+  /// For each handle, the nodes of its cut that are near points are counted. This is the maximum
+  /// over all handles. Set by Distance.
   Index NumberOfCutDataNodes = 0;
-  /// Whether handles of this hull exist by chance only, and not in the object. This is set in a
-  /// hull by distance if the hull by winding numbers has no handles.
+  /// Whether handles of this hull exist by chance only, and not in the object. chooseHull() sets
+  /// this member of a hull by distance if the hull by winding numbers has no handles.
   bool HandlesByChance = false;
   DataHole LargestHole; ///< largest hole of the cloud that was closed
   /// Whether a hole is about as wide as the cavity behind it. Set by Distance.
@@ -110,18 +112,20 @@ struct GenusZeroHullResult : Mesh
 
 /// Return whether the object itself seems to have handles, or parts that touch each other.
 ///
-/// If the object has a handle, the cut through the handle removes enclosed nodes, or nodes near
+/// Nodes are called enclosed if they are farther than the offset from the points, on the inside. If
+/// the object has a handle, the cut through the handle removes enclosed nodes, or nodes near
 /// points. A handle may also exist only because two limbs are closer to each other than twice the
-/// offset. A cut between the limbs then removes nodes of neither kind.
+/// offset. A cut between the limbs then removes only nodes that are not enclosed and not near
+/// points.
 ///
-/// A few removed nodes are tolerated, since sparse points can have gaps. The tolerance is one
-/// enclosed node per handle, at most four in total, and three nodes near points. Return false if no
-/// node is enclosed, or if HandlesByChance is set.
+/// A few removed nodes are tolerated, since sparse points can have gaps. Tolerated are one enclosed
+/// node per handle, at most four in total. Also tolerated are three nodes near points. Return false
+/// if no node is enclosed, or if HandlesByChance is set.
 bool hasHandles(const GenusZeroHullResult& hull);
 
 /// Return whether a hull is unreliable. There are four possible causes:
 ///
-/// - Holes in the cloud are too large for classification by distance.
+/// - Holes in the cloud are too large for classification by distance (Leaks).
 /// - The points enclose nothing.
 /// - The object has handles (hasHandles()).
 /// - More than 0.5 % of the samples are outside of the surface and not near it.
@@ -132,8 +136,8 @@ bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples)
 /// is [0, 1]. Return 0 if hasHandles() is false.
 double cutFraction(const GenusZeroHullResult& hull);
 
-/// Make one closed surface of genus zero around a cloud. The distance between the points and the
-/// surface is about the offset.
+/// Make one closed surface of genus zero around a cloud. With HullMethod::Distance, the distance
+/// between the points and the surface is about the offset, and the steps are:
 ///
 /// 1. Compute the distance to the points at the nodes of a grid (CloudDistance.h).
 /// 2. Classify each node as outside or not by persistence, which closes holes in the cloud
@@ -143,17 +147,18 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// 4. Extract the surface of the solid by marching tetrahedra, and smooth the surface
 ///    (LevelSetSurface.h).
 ///
-/// With HullMethod::WindingNumbers, the solid is made by solidByWindingNumbers(), and its surface
-/// passes through the points. If the cloud is flat or has too few points, or if nothing is inside,
-/// HullMethod::Distance is used instead.
+/// With HullMethod::WindingNumbers, the solid is made by solidByWindingNumbers()
+/// (IndicatorSolid.h), and its surface passes through the points. If the cloud is flat or has too
+/// few points, or if nothing is inside, HullMethod::Distance is used instead.
 ///
-/// The surface is closed and of genus zero by construction, for any cloud. Samples that are too
-/// sparse for the grid enclose nothing, or have a hole as wide as the cavity behind. If the solid
-/// then contains fewer than half of the samples, all steps are repeated with twice the spacing.
+/// The surface is closed and of genus zero by construction, for any cloud. If the samples are too
+/// sparse for the grid, they enclose nothing, or leave a hole as wide as the cavity behind it. If
+/// the solid then contains fewer than half of the samples, all steps are repeated with twice the
+/// spacing.
 ///
-/// Memory: at most 17 bytes per node during the computation. Let h be the grid spacing. With
-/// HullMethod::Distance, the grid has at most (2 / h + 2 Offset + 8)^3 nodes, 2.5 million by
-/// default. The samples are not copied.
+/// Memory: at most 17 bytes per node during the computation. With HullMethod::Distance and the grid
+/// spacing h, the grid has at most (2 / h + 2 Offset + 8)^3 nodes, 2.5 million by default. The
+/// samples are not copied.
 ///
 /// @param[in] samples  at least one sample, of any affine rank; only a cloud of affine rank 3
 ///   encloses a volume
@@ -165,11 +170,15 @@ GenusZeroHullResult makeGenusZeroHull(
   const TrainingSamples& samples, const GenusZeroHullOptions& options = {}, const Run& run = {});
 
 /// Make the hull by HullMethod::Distance. If seemsWrong() is true for this hull, make a second hull
-/// by HullMethod::WindingNumbers. Return the better hull.
+/// by HullMethod::WindingNumbers. Return the second hull if it is better, else the first.
 ///
-/// Handles that occur in both hulls are handles of the object. If the points are very noisy,
-/// winding numbers are unreliable. The hull by distance is then returned, unless its member Leaks
-/// is true.
+/// The second hull is better if three conditions hold:
+/// - hasHandles() is false for the second hull. Handles that occur in both hulls are handles of the
+///   object.
+/// - Noise of the second hull is at most 0.004, or Leaks is true for the first hull. Winding
+///   numbers of very noisy points are unreliable.
+/// - Few samples are outside of the second hull: not more than outside of the first hull, or at
+///   most one in 4000. If Leaks is true for the first hull, one in 200 is allowed.
 /// @param[in] options  options for HullMethod::Distance; the member Method is ignored
 /// @param[in] winding  options for HullMethod::WindingNumbers; the member Method is ignored
 GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOptions options,

@@ -1,7 +1,8 @@
-/// Make sets of grid nodes solid: connected and without handles. The method is an own construction,
-/// not from a publication. A ball grows inside the set, beginning with the nodes that are farthest
-/// from the points of the cloud. Each node is added only if the topology of the ball is preserved.
-/// Parts of the ball then touch each other where a handle is thin, and the handle is cut there.
+/// Change sets of grid nodes to solids: connected sets without handles. The method is an own
+/// construction, not from a publication. A ball grows inside the set, beginning with the nodes that
+/// are farthest from the points of the cloud. Each node is added only if the topology of the ball
+/// is preserved. Parts of the ball then touch each other where a handle is thin, and the handle is
+/// cut there.
 
 #ifndef ConformalGridSolid_h
 #define ConformalGridSolid_h
@@ -23,8 +24,8 @@ Index keepLargestPiece(
   const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Position of the cut through a handle. A node is called enclosed if its distance to the data, the
-/// points of a cloud, exceeds a given offset. The position applies to handles without enclosed
-/// nodes.
+/// points of a cloud, exceeds a given offset. The position is chosen only for handles without
+/// enclosed nodes.
 enum class HandleCut
 {
   HalfWay,     ///< cut as far as possible from the enclosed nodes: midway between limbs
@@ -38,10 +39,11 @@ enum class HandleCut
 /// added are removed from the solid. These nodes form the cut.
 ///
 /// Enclosed nodes (nodes deeper than the offset) are added first, beginning with the deepest one.
-/// The other nodes follow. HandleCut::HalfWay sorts them by the length of the path from the
-/// enclosed nodes. HandleCut::FarFromData sorts them by distance to the data. A handle is therefore
-/// cut where it is thinnest. Limbs may be joined only because their distance is less than twice the
-/// offset. A cut midway between the limbs then separates them.
+/// The other nodes follow. With HandleCut::HalfWay, they are sorted by the length of the path from
+/// the enclosed nodes, the shortest first. With HandleCut::FarFromData, they are sorted by distance
+/// to the data, the smallest first. Since the cut is where nodes would be added last, a handle is
+/// cut where it is thinnest. Two limbs may be joined only because their distance is less than twice
+/// the offset. HandleCut::HalfWay then separates the limbs by a cut midway between them.
 ///
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and
 ///   have no cavities

@@ -13,25 +13,27 @@
 
 namespace conformal
 {
-/// Winding number at each node of a grid: about 1 inside, about 0 outside, intermediate where the
-/// cloud has holes.
+/// Winding number at each node of a grid, which indicates the inside of a cloud. Values are about 1
+/// inside, about 0 outside, and intermediate where the cloud has holes.
 struct Indicator
 {
   std::vector<float> Values; ///< winding number at each node
   double Level = 0.5; ///< isovalue of the surface: the median of the winding numbers at the points
 };
 
-/// Compute winding numbers at the nodes of a grid, and blur them along each axis. The blur has
-/// weight 1/2 for the node and weight 1/4 for each of the two neighbors.
+/// Compute winding numbers at the nodes of a grid, and blur them along each axis. Along each axis,
+/// a blurred value is 1/2 of the value of the node plus 1/4 of the value of each of the two
+/// neighbors.
 ///
-/// Every fourth node along each axis forms a coarse grid, which is evaluated first. Cubes of the
-/// coarse grid that are near points or may intersect the isosurface are evaluated at all nodes. The
-/// other nodes are interpolated.
+/// Every fourth node along each axis forms a coarse grid, which is evaluated first. If a cube of
+/// the coarse grid is near points or may intersect the isosurface, all nodes in the cube are
+/// evaluated. At all other nodes, values are interpolated between nodes of the coarse grid.
 ///
 /// @param[in] grid  grid that contains the points of the cloud
-/// @param[in] cloud  hierarchy of clusters of the points
+/// @param[in] cloud  points of the cloud, with a hierarchy of clusters for fast sums
 /// @param[in] areas  area vector of each point (area times outward unit normal), #P by 3
-/// @param[in] width  kernel width of the winding numbers, in the unit of the points
+/// @param[in] width  kernel width (smoothing radius) of the winding numbers, in the unit of the
+///   points
 /// @throws Aborted
 Indicator indicatorOn(const FreudenthalGrid& grid, const WindingNumbers& cloud, const Points& areas,
   double width, const Run& run = {});

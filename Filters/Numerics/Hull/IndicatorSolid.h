@@ -1,7 +1,7 @@
 /// Find the region enclosed by a point cloud, using winding numbers. The result is a set of grid
-/// nodes with the topology of a ball. The method is an own construction, not from a publication.
-/// The kernel width of the winding numbers is increased until the topology is simple. The user
-/// therefore sets no parameter for noise.
+/// nodes with the topology of a ball. The method is an own construction, not from a publication. If
+/// the result has many handles or cavities, the kernel width (smoothing radius) of the winding
+/// numbers is increased. The user therefore sets no parameter for noise.
 
 #ifndef ConformalIndicatorSolid_h
 #define ConformalIndicatorSolid_h
@@ -18,19 +18,20 @@
 
 namespace conformal
 {
+/// Region enclosed by a cloud (the solid), with measures of its construction.
 struct IndicatorSolid
 {
   FreudenthalGrid Grid;
   Indicator Field; ///< winding numbers at the nodes
   /// 1 for the nodes of the solid, else 0; empty if there is no solid
   std::vector<std::uint8_t> Inside;
-  Points Cloud;             ///< thinned samples, from which the solid was made
+  Points Cloud;             ///< means of nearby samples, from which the solid was made
   double Width = 0.0;       ///< kernel width of the winding numbers
-  double Noise = 0.0;       ///< standard deviation of the noise of the thinned points
+  double Noise = 0.0;       ///< standard deviation of the noise of the points in Cloud
   bool NormalsUsed = false; ///< whether the normals of the samples were used
   /// Euler number of the solid before its handles were removed: 1 minus the number of handles.
   Index EulerNumber = 1;
-  HandleRepair Repair;
+  HandleRepair Repair; ///< changes that removed the handles
 };
 
 /// Classify grid nodes as inside or outside by the winding numbers of all points. The inside nodes
@@ -38,13 +39,14 @@ struct IndicatorSolid
 ///
 /// 1. Select about 50,000 samples. Remove isolated samples (StrayPoints.h) and replace the others
 ///    by at most 10,000 means (CloudThinning.h).
-/// 2. Use the normals of the samples if enough of them consistently indicate the inside. Otherwise,
-///    estimate normals (Orientation.h).
+/// 2. If the samples have normals that are consistently oriented, by turnOutward() (Orientation.h),
+///    use these normals. Otherwise, estimate normals by orient().
 /// 3. Compute winding numbers on a grid (IndicatorGrid.h). Nodes above the isovalue are inside. If
-///    the points are noisy, the kernel width is at least 2.5 times the noise. If noisy points
-///    result in more than four handles and cavities, increase the width by half and repeat this
-///    step. There are at most two repetitions. Keep the solid with the fewest handles and cavities.
-/// 4. Join components, fill cavities and open handles (SolidRepair.h). The solid then has the
+///    the points are noisy, the kernel width is at least 2.5 times the standard deviation of the
+///    noise. If noisy points result in more than four handles and cavities, increase the width by
+///    half and repeat this step. There are at most two repetitions. Keep the solid with the fewest
+///    handles and cavities.
+/// 4. Join components, fill cavities and remove handles (SolidRepair.h). The solid then has the
 ///    topology of a ball.
 ///
 /// @param[in] samples  samples of affine rank 3: they do not lie in one plane

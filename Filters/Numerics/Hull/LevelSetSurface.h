@@ -14,14 +14,15 @@
 namespace conformal
 {
 /// Extract the surface between a set of nodes and its complement by marching tetrahedra
-/// \cite Gueziec2001. Let an edge be cut if one of its nodes is in the set and the other is not.
-/// The surface has one vertex on each cut edge. The surface is always closed and manifold. The
-/// topology is that of the boundary of the set.
+/// \cite Gueziec2001. An edge of the grid is called cut if one of its nodes is in the set and the
+/// other is not. The surface has one vertex on each cut edge. The surface is always closed and
+/// manifold. Its topology is that of the boundary of the set.
 ///
 /// Usually, the value is below the level at nodes in the set, and above the level at other nodes.
-/// The vertex is then where linear interpolation along the edge reaches the level. If one end of an
-/// edge has a value on the wrong side, the vertex is the midpoint of the edge. This occurs, for
-/// example, where a handle of the set was cut or filled.
+/// The vertex is then where linear interpolation along the edge reaches the level. Exceptions
+/// occur, for example, where a handle of the set was cut or filled: a node of the set has a value
+/// above the level, or another node has a value below the level. The vertex on an edge of such a
+/// node is the midpoint of the edge.
 ///
 /// @param[in] inside  1 for the nodes of the set, else 0; must be 0 on the faces of the grid
 /// @param[in] values  value of each node

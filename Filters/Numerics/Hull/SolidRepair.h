@@ -16,14 +16,14 @@
 
 namespace conformal
 {
-/// Join the connected components of a solid to the largest component. The joining paths follow
-/// nodes where the indicator is closest to its level. Sparse points can disconnect thin limbs,
-/// which are thus reattached.
+/// Join the connected components of a solid to the largest component. The joining paths lead along
+/// nodes whose indicator is least below the level. If points are sparse, thin limbs can be
+/// disconnected. These limbs are thus reattached.
 ///
-/// A component is removed if it is tiny, with fewer than 0.05 % of all nodes of the solid. A
-/// component is also removed if its path is too long. The maximum length is the side of a cube with
-/// as many nodes as the component. The maximum length is also limited to a tenth of the largest
-/// distance of a sample from the origin.
+/// A component is removed instead in three cases:
+/// - The component is tiny: fewer than 0.05 % of all nodes of the solid.
+/// - Its path is longer than the side of a cube with as many nodes as the component.
+/// - Its path is longer than a tenth of the largest distance of a sample from the origin.
 ///
 /// @param[in] indicator  winding number at each node, and the level of the surface
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; must be 0 on the faces of the grid
@@ -41,14 +41,15 @@ Index fillCavities(
 struct HandleRepair
 {
   Index NumberOfCutNodes = 0, NumberOfFilledNodes = 0;
-  /// Number of changed nodes that were clearly inside or outside: the difference between indicator
-  /// and level exceeded 0.25.
+  /// Number of changed nodes that were clearly inside or outside before: the difference between
+  /// indicator and level exceeded 0.25.
   Index NumberOfDefiniteNodes = 0;
 };
 
 /// Remove the handles of a solid. A handle is removed by a cut through the handle, or by filling
-/// its opening. The change of lower cost is made. The handle with the cheapest change is removed
-/// first. If the object itself has a handle, both changes of this handle are expensive.
+/// its opening. Of these two changes, the one of lower cost is made. The handle with the cheapest
+/// change is removed first. If the object itself has a handle, both changes of this handle are
+/// expensive.
 ///
 /// @param[in] indicator  winding number at each node, and the level of the surface
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and

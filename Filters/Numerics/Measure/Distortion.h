@@ -12,14 +12,14 @@
 namespace conformal
 {
 /// Distortion of each triangle, and a summary. A triangle is degenerate if its area on the mesh or
-/// on the sphere is 0. Degenerate triangles get the values of undistorted triangles, and are left
-/// out of the summary.
+/// on the sphere is 0. Degenerate triangles get the values of undistorted triangles. The summary
+/// does not include them.
 struct Distortion
 {
   /// Mean absolute change of the three angles of each triangle, #F [degrees].
   std::vector<double> AngleDistortion;
-  /// Logarithm of the area ratio of each triangle, #F. The ratio is the fraction of the total area
-  /// on the sphere, divided by the fraction of the mesh area.
+  /// Logarithm of the area ratio of each triangle, #F. The ratio is the triangle's fraction of the
+  /// total area on the sphere, divided by its fraction of the area of the mesh.
   std::vector<double> AreaDistortion;
   /// Quasi-conformal error K of each triangle, at least 1, #F. K is the ratio of the larger to the
   /// smaller singular value of the map of the triangle.
@@ -27,7 +27,8 @@ struct Distortion
   double MeanAngleDistortion = 0.0;
   double MeanQuasiConformalError = 1.0;
   double AreaDistortionDeviation = 0.0; ///< standard deviation of AreaDistortion
-  /// Number of times that the map covers the sphere. The number is negative for a mirrored map.
+  /// Number of times that the map covers the sphere, usually 1. The number is negative for a
+  /// mirrored map.
   double SphereDegree = 0.0;
   /// Number of triangles that are oriented opposite to most of the area, or have no area on the
   /// sphere.

@@ -1,4 +1,5 @@
-/// Align one sphere map with another by a rotation \cite Kabsch1976 or a Moebius transform.
+/// Align one map of a surface to the sphere with another by a rotation \cite Kabsch1976 or a
+/// Moebius transform.
 
 #ifndef ConformalSphericalAlignment_h
 #define ConformalSphericalAlignment_h
@@ -35,9 +36,8 @@ SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation,
   const Run& run = {});
 
-/// Transfer the sphere map of a surface to given points. The points and the surface must have the
-/// same position and orientation in space. Each point gets the sphere position of the closest point
-/// of the surface.
+/// Transfer the sphere map of a surface to given points. In space, the points must be aligned with
+/// the surface. Each point gets the sphere position of the closest point of the surface.
 /// @param[in] points  #P by 3 coordinates, finite
 /// @param[in] other  surface with a map to the sphere
 /// @return #P by 3 unit vectors

@@ -1,5 +1,5 @@
-/// Measure distances between a model surface and a reference, in both directions, \cite Liou2008
-/// and \cite Cignoni1998.
+/// Measure distances between a model surface and a reference, in both directions (from model to
+/// reference, and from reference to model), \cite Liou2008 and \cite Cignoni1998.
 
 #ifndef ConformalSurfaceMismatch_h
 #define ConformalSurfaceMismatch_h
@@ -12,7 +12,7 @@
 
 namespace conformal
 {
-/// Length that is the unit of the measures.
+/// Length that is used as unit of the measures.
 enum class MismatchUnit
 {
   MaxRadius,    ///< maximum distance of a reference point from the centroid of the reference points
@@ -29,16 +29,17 @@ struct SurfaceMismatchOptions
   int RandomSeed = 1; ///< seed of the positions of the samples
 };
 
-/// Minimum distance between a web and the reference, in units of LengthUnit. A web is a part of the
-/// model that spans a gap of the object.
+/// A web is a part of the model that spans a gap of the object. Parts of the model count as webs if
+/// they are farther than this distance from the reference [LengthUnit].
 constexpr double WebDistance = 0.02;
 
-/// Measures of the mismatch between a model surface and a reference. Distances are in units of
-/// LengthUnit, and mean squares in units of its square. ModelDistances and ReferenceDistances are
-/// in the unit of the user.
+/// Measures of the mismatch between a model surface and a reference. Distances are divided by
+/// LengthUnit, and mean squares by its square. ModelDistances and ReferenceDistances are not
+/// divided: they are in the unit of the user.
 struct SurfaceMismatch
 {
-  double LengthUnit = 1.0; ///< length of LengthUnit in the unit of the user
+  /// Length of SurfaceMismatchOptions::LengthUnit, in the unit of the user.
+  double LengthUnit = 1.0;
   /// Mean square distance from reference points to the surface of the model, E_mis in
   /// \cite Liou2008.
   double MeanSquarePointToSurface = 0.0;
@@ -56,19 +57,19 @@ struct SurfaceMismatch
 };
 
 /// Measure the mismatch error E_mis, \cite Liou2008 section 4.1, and the distances in the opposite
-/// direction. For a model M and #P reference points x, E_mis = 1 / #P sum_x dist(x, M)^2. This
-/// measure does not detect webs, since a model may pass through all reference points and also span
-/// gaps.
+/// direction. For a model M and #P reference points x, E_mis = 1 / #P sum_x dist(x, M)^2. E_mis
+/// does not detect webs, since a model may pass through all reference points and also span gaps.
 ///
-/// The nearest vertex is searched among the vertices of triangles. If the reference has no
-/// triangles, the distance to the reference is the distance to its nearest point. All reference
-/// points are data, even those without triangles. The maximum distance from the model is computed
-/// over its samples and vertices. HausdorffDistance is therefore a lower bound of the exact
+/// For MeanSquarePointToVertex, vertices of the model without triangles are ignored. If the
+/// reference has no triangles, the distance to the reference is the distance to its nearest point.
+/// Distances to the model are measured from all reference points, even from those without
+/// triangles. The maximum distance from the model to the reference is computed only over samples
+/// and vertices of the model. HausdorffDistance is therefore a lower bound of the exact Hausdorff
 /// distance.
 ///
 /// Implementation note: samples are placed at equal steps of the accumulated area. Within
-/// triangles, they are placed by a sequence of low discrepancy. The noise is much less than that of
-/// independent random samples.
+/// triangles, they are placed by a sequence of low discrepancy, whose points are evenly
+/// distributed. The measures have much less noise than with independent random samples.
 ///
 /// Implementation note: the reference may be distributed over several processes. Each process has a
 /// part of the reference, and all processes have the whole model. The reference consists of all
@@ -84,8 +85,8 @@ struct SurfaceMismatch
 /// @throws std::invalid_argument if the model has no triangles, or if the reference has no points
 /// @throws std::invalid_argument if a coordinate is not finite
 /// @throws std::invalid_argument if all reference points coincide, so that the unit is zero
-/// @throws std::invalid_argument if a measure leaves the range of doubles
-/// @post the result depends only on the arguments of all processes, not on threads
+/// @throws std::invalid_argument if a measure exceeds the range of doubles
+/// @post the result depends only on the arguments of all processes, not on the number of threads
 SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const Triangles& modelTriangles, const PointView& referencePoints,
   const Triangles& referenceTriangles, const SurfaceMismatchOptions& options = {},

@@ -1,5 +1,5 @@
-/// Measure curvatures and sulcal depth at each vertex of a closed surface, \cite CohenSteiner2003
-/// and \cite Boucher2009.
+/// Measure curvatures and sulcal depth (depth in folds) at each vertex of a closed surface,
+/// \cite CohenSteiner2003 and \cite Boucher2009.
 
 #ifndef ConformalSurfaceShape_h
 #define ConformalSurfaceShape_h
@@ -15,7 +15,8 @@ struct SurfaceShapeOptions
   /// Smoothing length of curvatures, divided by the square root of the surface area, in [0, 1].
   /// With 0, curvatures are not smoothed.
   double CurvatureScale = 0.01;
-  /// Length scale of the depth, divided by the square root of the surface area, in [0.001, 1].
+  /// Length scale s of the depth (see measureSurfaceShape()), divided by the square root of the
+  /// surface area, in [0.001, 1].
   double DepthScale = 0.1;
 };
 
@@ -31,12 +32,12 @@ struct SurfaceShape
 ///
 /// Curvatures are the integrals of \cite CohenSteiner2003 over edges and vertices, divided by the
 /// vertex areas of \cite Meyer2003. The curvatures are then smoothed by one implicit step of a
-/// diffusion, over a distance of about CurvatureScale. Let H be the mean curvature, and s the
-/// length given by DepthScale. The depth is the depth potential u of \cite Boucher2009 with
+/// diffusion. The smoothing length is given by CurvatureScale. Let H be the mean curvature, and s
+/// the length given by DepthScale. The depth is the depth potential u of \cite Boucher2009 with
 ///
 ///     u / s^2 - Laplacian u = 2 (mean(H) - H).
 ///
-/// Where the surface is nearly flat over the distance s, u is the depth of a point below its
+/// Where the surface is nearly flat over distances of about s, u is the depth of a point below its
 /// neighborhood.
 /// @throws std::invalid_argument if a scale is out of range, or if the surface has no area
 /// @throws Aborted
@@ -55,14 +56,15 @@ Eigen::VectorXd meanCurvatureIntegrals(const Mesh& surface);
 Eigen::VectorXd gaussianCurvatureIntegrals(const Mesh& surface);
 
 /// Compute the area around each vertex: the part of the adjacent triangles to which this vertex is
-/// the nearest. Obtuse triangles are divided differently. Half of the area belongs to the obtuse
-/// corner, and a quarter to each other corner. For vertices anywhere on a sphere, these areas give
-/// correct curvatures.
+/// the nearest. Obtuse triangles are divided differently: half of their area belongs to the obtuse
+/// corner, and a quarter to each other corner. With these areas, curvatures are correct for every
+/// mesh whose vertices are on a sphere.
 Eigen::VectorXd nearestAreas(const Mesh& surface);
 
-/// Divide integrals around the vertices by the areas of the vertices, which results in densities.
-/// Smooth the densities by one implicit step of a diffusion. The step preserves the integral over
-/// the surface. The smoothed values do not exceed the bounds of the original values.
+/// Divide integrals around the vertices by the areas of the vertices. The quotients are called
+/// densities; for integrals of curvature, they are curvatures. Smooth the densities by one implicit
+/// step of a diffusion. The step preserves the integral over the surface. The smoothed values do
+/// not exceed the bounds of the original values.
 /// @param[in] areas  area of each vertex, above 0
 /// @param[in] time  duration of the diffusion: the square of the smoothing length
 /// @param[in] integrals  integrals around the vertices, with one column for each function

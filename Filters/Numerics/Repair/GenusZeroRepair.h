@@ -16,15 +16,17 @@ namespace conformal
 {
 struct GenusZeroRepairOptions
 {
-  /// Maximum area of the filling of a hole, in [0, 1]. The unit is the area of the largest part of
-  /// the input.
+  /// Maximum area of the filling of a hole, in [0, 1]. The unit is the area of the largest
+  /// connected part of the input. Larger holes stay open.
   double MaximumHoleArea = 0.25;
 };
 
+/// Kind of a loop of edges where the mesh was repaired, or left open.
 enum class RepairLoopType
 {
-  FilledHole, ///< filled boundary
-  OpenHole, ///< boundary that was left open, since the area of its filling would exceed the maximum
+  FilledHole, ///< boundary of a hole that was filled
+  /// Boundary of a hole that was left open, since the area of its filling would exceed the maximum
+  OpenHole,
   CutHandle,    ///< loop around a handle; the handle was cut along this loop
   FilledTunnel, ///< loop around the opening of a handle; the opening was filled
 };
@@ -35,13 +37,14 @@ struct RepairLoop
   RepairLoopType Type = RepairLoopType::FilledHole;
   /// Consecutive points of the loop, #L by 3. The first point is not repeated at the end.
   Points Positions;
-  /// Area of one filling divided by the area of the largest part of the input.
+  /// Area of one filling of the loop, divided by the area of the largest connected part of the
+  /// input.
   double AreaFraction = 0.0;
 };
 
 /// Repaired mesh, with the source of each triangle and vertex in the input. Unchanged triangles are
-/// first, in the order of the input. Added triangles follow. Vertices at points of the input are
-/// first, including copies of vertices along cuts. Added vertices follow.
+/// first, in the order of the input. Added triangles follow. Vertices at points of the input,
+/// including copies of vertices along cuts, are before added vertices.
 struct GenusZeroRepairResult : Mesh
 {
   /// Id of the input triangle of each triangle, or -1 for an added triangle, #F.
@@ -65,10 +68,12 @@ struct GenusZeroRepairResult : Mesh
 
 /// Make a closed surface of genus zero from a mesh with holes, handles, or disconnected parts.
 ///
-/// 1. Merge points of open edges with equal coordinates. Connect the triangles along shared edges,
-///    so that they form manifolds. Keep the manifold of largest area (GluedSurface.h).
-/// 2. Fill each hole up to the maximum area by a disk of triangles (LoopCap.h). If two vertices are
-///    then joined by several edges, split all of these edges but one.
+/// 1. Merge points with equal coordinates, if they are on open edges (edges of only one triangle).
+///    Connect the triangles along shared edges, so that they form manifolds. Keep the connected
+///    manifold of largest area (GluedSurface.h).
+/// 2. Fill each hole by a disk of triangles (LoopCap.h), unless the disk would exceed
+///    MaximumHoleArea. If two vertices are then joined by several edges, split all of these edges
+///    but one.
 /// 3. Orient the mesh outward.
 /// 4. While there are handles, find a short loop at each handle (HandleLoops.h). The loop runs
 ///    around the handle, or through its opening if that is shorter. Cut the mesh along the loop,
@@ -80,8 +85,8 @@ struct GenusZeroRepairResult : Mesh
 ///   triangles
 /// @param[in] triangles  #F by 3 ids of points
 /// @throws std::invalid_argument if there are no triangles, or if points are not finite
-/// @throws std::invalid_argument if the largest part is not orientable, or if an option is out of
-///   range
+/// @throws std::invalid_argument if the largest connected part is not orientable, or if an option
+///   is out of range
 GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& triangles,
   const GenusZeroRepairOptions& options = {}, const Run& run = {});
 }

@@ -1,6 +1,5 @@
-/// Connect triangles along their sides, so that any set of triangles becomes a manifold. Holes of
-/// this manifold can be filled, and the manifold can be cut. Cutting and stitching are as in
-/// \cite Gueziec2001.
+/// Connect triangles along their sides, so that any set of triangles becomes a manifold. Fill holes
+/// of the manifold, and cut it. Cutting and connecting (stitching) are as in \cite Gueziec2001.
 
 #ifndef ConformalGluedSurface_h
 #define ConformalGluedSurface_h
@@ -16,9 +15,10 @@ namespace conformal
 /// Manifold of triangles whose sides are explicitly glued, that is, declared to be the same edge.
 ///
 /// Triangle r has the three sides 3 r + k, with k in {0, 1, 2}. Side 3 r + k runs from corner k of
-/// the triangle to the next corner. Two triangles are neighbors only if their sides are glued, even
-/// if they share points. The surface is therefore a manifold for any triangles. If several fans of
-/// triangles share a point, each fan has a separate vertex at the point.
+/// the triangle to the next corner. Two triangles are neighbors if their sides are glued. Triangles
+/// that only share points are not neighbors. The surface is therefore a manifold for any triangles.
+/// A fan is a set of triangles that are connected around a point. If several fans share a point,
+/// each fan has a separate vertex at the point.
 struct GluedSurface
 {
   std::vector<int> Corners; ///< #3F, vertex at the start of each side
@@ -43,8 +43,8 @@ struct GluedSurface
   int from(int side) const { return this->Corners[side]; }
   int to(int side) const { return this->Corners[after(side)]; }
 
-  /// Return the next side that starts at the same vertex, in clockwise or counter-clockwise
-  /// direction. Return -1 at the boundary.
+  /// Return the next side that starts at the same vertex as the given side, in clockwise or
+  /// counter-clockwise direction. Return -1 at the boundary.
   int clockwise(int side) const { return this->Across[side] < 0 ? -1 : after(this->Across[side]); }
   int counterClockwise(int side) const { return this->Across[before(side)]; }
 };
@@ -58,9 +58,9 @@ struct GluingReport
   Index NumberOfDuplicates = 0;
   /// Number of edges of more than two triangles in the whole input.
   Index NumberOfNonManifoldEdges = 0;
-  /// Number of triangles of the largest part whose orientation was reversed.
+  /// Number of triangles whose orientation was reversed, in the largest connected part.
   Index NumberOfTurnedTriangles = 0;
-  Index NumberOfPartsRemoved = 0;
+  Index NumberOfPartsRemoved = 0;     ///< number of connected parts that were not kept
   Index NumberOfTrianglesRemoved = 0; ///< number of triangles in the removed parts
   double AreaRemoved = 0.0;           ///< area of the removed parts divided by the total area
 };
@@ -69,18 +69,19 @@ struct GluingReport
 ///
 /// 1. Remove triangles with repeated points, and duplicates of earlier triangles.
 /// 2. Glue the two sides of each edge to each other. If an edge has more than two sides, glue pairs
-///    of consistent orientation. The pair with the smallest dihedral bend is first, so that bodies
-///    that touch are separated. Sides without a partner form the boundary.
+///    of consistent orientation. The pair with the smallest angle between the normals of its
+///    triangles is glued first. Bodies that touch at an edge are thus separated. Sides without a
+///    partner form the boundary.
 /// 3. In each connected part, orient all triangles consistently. The orientation of the majority is
 ///    chosen.
 /// 4. Keep the connected part of largest area.
 ///
-/// Vertices and triangles have the order of the input. If several fans of triangles share a point,
-/// the copies of the point have consecutive vertex ids.
+/// Vertices and triangles have the order of the input. If a point has several vertices, one for
+/// each fan, their ids are consecutive.
 /// @param[in] points  finite coordinates, #P by 3
 /// @param[in] triangles  #F by 3 ids of points
 /// @param[out] report  counts of the changes
-/// @throws std::invalid_argument if the largest part is not orientable
+/// @throws std::invalid_argument if the largest connected part is not orientable
 GluedSurface glueTriangles(
   const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run = {});
 
@@ -103,9 +104,9 @@ LoopCap capFor(const GluedSurface& surface, const std::vector<int>& loop);
 void closeLoop(GluedSurface& surface, const std::vector<int>& loop, const LoopCap& cap,
   int triangleId = GluedSurface::Added);
 
-/// Cut the surface along a loop of glued sides that visits no vertex twice. The part of the surface
-/// to the right of the loop gets copies of the vertices.
-/// @return the loop of open sides on the right
+/// Cut the surface along a loop of glued sides. The loop must not visit a vertex twice. Triangles
+/// to the right of the loop get copies of its vertices.
+/// @return the new loop of open sides, on the right of the cut
 std::vector<int> cutAlong(GluedSurface& surface, const std::vector<int>& loop);
 
 /// Insert vertices where several glued edges join the same two vertices. One of these edges is left

@@ -11,8 +11,8 @@
 
 namespace conformal
 {
-/// Loop of glued sides (GluedSurface.h) that visits no vertex twice. Each side ends where the next
-/// side begins.
+/// Loop of triangle sides that visits no vertex twice. Each side is glued to the side of another
+/// triangle (GluedSurface.h). Each side ends where the next side begins.
 struct HandleLoop
 {
   std::vector<int> Sides;
@@ -22,15 +22,15 @@ struct HandleLoop
 /// Find short loops around handles or through their openings. A cut along all of these loops leaves
 /// the surface connected. No two loops share a vertex.
 ///
-/// The method is that of \cite Eppstein2003 and \cite Erickson2005. Let g be the genus of the
-/// surface. A tree of shortest paths is grown along edges, and a dual tree across the remaining
-/// edges. Exactly 2 g edges are in neither tree. Each of these edges defines a loop together with
-/// the paths to its ends.
+/// The method is that of \cite Eppstein2003 and \cite Erickson2005. Let g be the genus (number of
+/// handles) of the surface. A tree of shortest paths is grown along edges, and a dual tree across
+/// the remaining edges. Exactly 2 g edges are in neither tree. Each of these edges defines a loop
+/// together with the paths to its ends.
 ///
-/// Each of the 2 g loops is then shortened. The candidates are loops through vertices of the loop
-/// that do not separate the surface. The shortest candidate is kept. For each handle, one loop runs
-/// around the handle and another one runs through its opening. The loops are selected by length,
-/// the shortest first.
+/// Each of the 2 g loops is then shortened. The candidates are loops that pass through a vertex of
+/// the given loop, and do not separate the surface into two parts. The shortest candidate is kept.
+/// For each handle, one loop runs around the handle and another one runs through its opening. From
+/// all shortened loops, the result is selected by length, the shortest first.
 ///
 /// If the surface has many handles, or if loops of several handles intersect, several calls may be
 /// needed. Between calls, cut the surface along the loops and close the cuts. If the surface has a

@@ -20,7 +20,7 @@ struct LoopCap
 {
   conformal::Triangles Triangles; ///< vertex ids of the triangles, #T by 3
   Points Added;                   ///< positions of the added vertices, #A by 3
-  /// Range [first, last) of the nearest corners, for each added vertex, #A.
+  /// Range [first, last) of the ids of the nearest corners, for each added vertex, #A.
   std::vector<std::pair<int, int>> Parents;
 };
 
@@ -28,9 +28,9 @@ struct LoopCap
 /// half as many vertices as the surrounding ring. The triangles are best shaped for a round loop. A
 /// loop of three corners gets one triangle.
 ///
-/// Rings can fold, for example in a bay of the loop. In this case, the corners are triangulated
-/// without added vertices (PolygonTriangulation.h). If that would duplicate an edge, the rings are
-/// kept.
+/// Rings can fold, for example where the loop is concave. If the rings fold, the corners are
+/// triangulated without added vertices (PolygonTriangulation.h). If the triangulation would join
+/// two corners that already share an edge, the rings are kept.
 /// @param[in] corners  positions of at least three corners
 /// @param[in] isJoined  function that returns whether corners i and j already share an edge. The
 ///   function is called only for corners that are not adjacent in the loop.

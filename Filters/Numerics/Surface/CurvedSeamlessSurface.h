@@ -1,5 +1,6 @@
 /// Build and evaluate the curved seamless surface (CSS) of a closed mesh, \cite Liou2008 section 3.
-/// Each vertex has a position in space and a position on the unit sphere. The mesh on the sphere is
+/// A CSS is a function from directions to points of a closed surface without gaps. Each vertex of
+/// the mesh has a position in space and a position on the unit sphere. The mesh on the sphere is
 /// called the network. The mesh in space is called the model. The curved patch over a flat triangle
 /// of the model is called a dome.
 
@@ -26,42 +27,49 @@ namespace conformal
 enum class DomeHeight
 {
   None, ///< no domes
-  /// Domes of the unit sphere, scaled to the size of the model, as published. The domes bulge
-  /// outward everywhere, even where the model is hollow.
+  /// Domes as published in \cite Liou2008. The heights of the unit sphere over the network are
+  /// scaled to the size of the model. The domes bulge outward everywhere, even in hollows of the
+  /// model.
   Published,
-  /// Domes of the unit sphere, scaled to the local size of the model. The domes bulge outward
-  /// everywhere.
+  /// Domes as with Published, but scaled to the local size of the model. The local size at a vertex
+  /// is the square root of the ratio of two areas: the area around the vertex in the model, and in
+  /// the network.
   Scaled,
   Curvature, ///< triangles curved by the normals of the vertices (CurvedTriangles.h)
   Fitted     ///< triangles curved to fit a point cloud (CurvedTriangleFit.h)
 };
 
+/// Parameters of a curved seamless surface.
 struct CurvedSeamlessSurfaceOptions
 {
+  /// Whether the maps of neighboring triangles from network to model agree on the common edge
   conformal::SeamMode SeamMode = conformal::SeamMode::EdgeMatched;
   conformal::DomeHeight DomeHeight = conformal::DomeHeight::Curvature;
-  /// Factor of the vertex shift by lowerVertices(), in [0, MaximumVertexShift]. Use 0 unless the
-  /// flat triangles of the model were fitted to points by least squares.
+  /// Factor by which lowerVertices() moves the vertices before the domes are built, in [0,
+  /// MaximumVertexShift]. If the flat triangles of the model were fitted to points by least
+  /// squares, use vertexShift(). Otherwise, use 0.
   double VertexShift = 0.0;
-  CurvedTriangleFitOptions Fit;
+  CurvedTriangleFitOptions Fit; ///< used by DomeHeight::Fitted
 };
 
 /// Represent a curved seamless surface as a function of the direction. The function is defined for
 /// every direction.
 ///
-/// The constructor executes steps 1 to 5 of the CSS algorithm of \cite Liou2008. An Evaluator
-/// executes steps 6 to 10.
+/// The CSS algorithm of \cite Liou2008 has 11 steps. The constructor executes steps 1 to 5, which
+/// do not depend on the direction. An Evaluator executes steps 6 to 10 for each direction.
 ///
 /// Implementation note: \cite Liou2008 adds the heights of the unit sphere's domes to a model about
-/// as large as this sphere. Here the model may have any unit and position. With
+/// as large as the unit sphere. Here, the model may have any unit and position. With
 /// DomeHeight::Published, the heights are therefore scaled. The factor is the maximum distance of a
 /// vertex from the mean of the vertices.
 ///
-/// Implementation note: the domes of the sphere bulge outward for any orientation of the triangles
-/// and for mirrored maps. The outward side is determined by the sign of the volume of the model.
+/// Implementation note: with DomeHeight::Published and Scaled, the domes bulge outward also if the
+/// triangles are clockwise, or if the map to the sphere is mirrored. The outward side is determined
+/// by the sign of the volume of the model.
 class CurvedSeamlessSurface
 {
 public:
+  /// Point of the surface for one direction.
   struct Image
   {
     Vector3 Position = Vector3::Zero(); ///< point of the surface, q in \cite Liou2008
@@ -74,7 +82,7 @@ public:
   /// Build the surface, without evaluating it.
   /// @param[in] model  closed, consistently oriented mesh. Each vertex i has a position w_i in
   ///   space and a sphere position n_i. The vectors n_i may have any length but 0.
-  /// @param[in] options  shape of the domes and of the map
+  /// @param[in] options  kind of the domes, and of the map from network to model
   /// @param[in] cloud  samples to which the domes are fitted; used by DomeHeight::Fitted
   /// @throws std::invalid_argument if positions are not finite, or if a sphere position is zero
   /// @throws std::invalid_argument if the map does not cover the sphere exactly once
@@ -99,7 +107,7 @@ public:
   }
 
   /// Return the curved triangles of the surface, without the map to the sphere. If differentiable()
-  /// is false, there are no curved triangles.
+  /// is false, the result is empty.
   const CurvedTriangles& curvedTriangles() const { return this->Curved; }
 
   /// Return the vertices of the network, #V by 3 unit vectors.
@@ -109,7 +117,8 @@ public:
   /// counter-clockwise.
   const conformal::Triangles& triangles() const { return this->Triangles; }
 
-  /// Return the neighbors of each triangle, see triangleNeighbors().
+  /// Return the ids of the neighbors of each triangle, #F by 3, see triangleNeighbors()
+  /// (MeshTopology.h).
   const conformal::Triangles& neighbors() const { return this->Neighbors; }
 
   Index numberOfDegeneratePatches() const
@@ -117,13 +126,12 @@ public:
     return std::count(this->Degenerate.begin(), this->Degenerate.end(), 1);
   }
 
-  /// Return 1 for each degenerate triangle, else 0. Degenerate triangles get a simpler
-  /// construction:
+  /// Return 1 for each degenerate triangle, else 0. A triangle is degenerate in three cases:
   ///
-  /// - A triangle of zero area, in the model or on the sphere, is mapped affinely.
-  /// - A curved triangle that would fold is flattened.
-  /// - With DomeHeight Published and Scaled, a triangle is also degenerate if a neighbor has
-  ///   exactly the opposite normal.
+  /// - Its area is zero in the model or on the sphere. The triangle is then mapped affinely.
+  /// - Its curved triangle would fold. The curved triangle is then flattened.
+  /// - A neighbor has exactly the opposite normal, with DomeHeight Published or Scaled. At the
+  ///   common edge, the normal of each triangle then replaces the mean normal.
   const std::vector<unsigned char>& degenerate() const { return this->Degenerate; }
 
 private:
@@ -142,14 +150,14 @@ private:
   SphereLocator Locator;
   FlatMap Flat;
   SphereDomes Domes;          // used by DomeHeight Published and Scaled
-  std::vector<double> Scales; // factors of the domes at each vertex
+  std::vector<double> Scales; // factor of the dome heights at each vertex
   CurvedTriangles Curved;     // used by DomeHeight None, Curvature and Fitted
   std::vector<unsigned char> Degenerate;
 };
 
-/// Evaluate a curved seamless surface. Each search starts at the triangle of the previous call, so
-/// that nearby directions are cheap. Results do not depend on previous calls. An evaluator is not
-/// thread-safe: use one evaluator per thread.
+/// Evaluate a curved seamless surface. The search for the triangle of a direction starts at the
+/// triangle of the previous call. Directions close to the previous one are therefore cheap. Results
+/// do not depend on previous calls. An evaluator is not thread-safe: use one evaluator per thread.
 class CurvedSeamlessSurface::Evaluator
 {
 public:
@@ -161,10 +169,10 @@ public:
 
   /// Compute the point q of the surface for a direction p, \cite Liou2008 Eqs. 9 to 12.
   ///
-  /// The derivative of q by p is computed if `derivative` is not null. The product of the
-  /// derivative with p is zero. On an edge of the mesh, the derivative in one adjacent triangle is
-  /// returned. At a vertex, the derivative at a nearby point is returned. In triangles of zero
-  /// area, the derivative is zero.
+  /// The derivative of q by p is computed if `derivative` is not null. Since q does not depend on
+  /// the length of p, the product of the derivative with p is zero. On an edge of the mesh, the
+  /// derivative in one adjacent triangle is returned. At a vertex, the derivative at a nearby point
+  /// is returned. In triangles of zero area, the derivative is zero.
   /// @param[in] direction  direction p, a unit vector
   /// @param[out] derivative  derivative of q by p; may be null
   /// @throws std::invalid_argument if the length of the direction is far from 1
@@ -186,10 +194,11 @@ private:
   int Last = -1;
 };
 
-/// Compute the inverse map: from points on or near the surface to directions.
+/// Compute the inverse of the CSS: directions for points on the surface or near it.
 class CurvedSeamlessInverse
 {
 public:
+  /// Closest point (foot point) of the surface, and its direction.
   struct Foot
   {
     Vector3 Direction = Vector3::Zero(); ///< direction of the closest point
@@ -211,8 +220,8 @@ private:
   CurvedTriangleTree Tree;
 };
 
-/// Output arrays of evaluate(). The values of all directions are consecutive. Null arrays are
-/// skipped.
+/// Output arrays of evaluate(). In each array, the values of the second direction follow those of
+/// the first direction, and so on. Null arrays are not written.
 struct SurfaceSamples
 {
   double* Positions = nullptr; ///< points q of the surface, 3 numbers for each direction
@@ -236,8 +245,9 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
   const SurfaceSamples& samples, const Run& run = {});
 
 /// Divide each triangle of the network into k x k triangles, where k is `subdivisions` (see
-/// subdivide()). Every triangle thus gets evaluation points, even a triangle that is small on the
-/// sphere. No new triangle crosses an edge of the network.
+/// subdivide()). The vertices of the new triangles are directions for evaluate(). Every triangle of
+/// the network thus contains some of these directions, even if the triangle is small on the sphere.
+/// No new triangle crosses an edge of the network.
 ///
 /// @return mesh of unit vectors. The vertices of the network are first. Seen from outside, the
 ///   triangles are counter-clockwise.
@@ -270,17 +280,18 @@ struct CurvedSeamlessSurfaceResult
   Points Directions; ///< #P by 3, directions as unit vectors
   Points Positions;  ///< #P by 3, points of the surface
   Points Normals;    ///< #P by 3, unit normals; see CurvedSeamlessSurface::Image
-  std::vector<unsigned char> Degenerate; ///< #P, 1 in degenerate triangles, else 0
-  Index NumberOfDegeneratePatches = 0;   ///< number of degenerate triangles
+  /// #P, 1 if the triangle of the direction is degenerate, else 0
+  std::vector<unsigned char> Degenerate;
+  Index NumberOfDegeneratePatches = 0; ///< number of degenerate triangles
 };
 
-/// Build a curved seamless surface and evaluate it in given directions. These are steps 1 to 11 of
+/// Build a curved seamless surface and evaluate it in given directions: execute steps 1 to 11 of
 /// the CSS algorithm of \cite Liou2008.
 ///
 /// @param[in] model  closed mesh with a map to the sphere; see the constructor of
 ///   CurvedSeamlessSurface
-/// @param[in] directions  #P by 3 vectors of any length but 0, N^new in \cite Liou2008
-/// @param[in] options  shape of the domes and of the map
+/// @param[in] directions  #P by 3 vectors of any length but 0, called N^new in \cite Liou2008
+/// @param[in] options  kind of the domes, and of the map from network to model
 /// @param[in] cloud  samples to which the domes are fitted; used by DomeHeight::Fitted
 /// @throws std::invalid_argument if the constructor of CurvedSeamlessSurface throws it
 /// @throws std::invalid_argument if a direction is zero or not finite

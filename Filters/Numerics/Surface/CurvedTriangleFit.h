@@ -1,5 +1,5 @@
-/// Fit curved triangles to a point cloud by least squares, with the Gauss-Newton steps of
-/// \cite Pottmann2006.
+/// Fit curved triangles (cubic patches over the triangles of a mesh) to a point cloud by least
+/// squares, with the Gauss-Newton steps of \cite Pottmann2006.
 
 #ifndef ConformalCurvedTriangleFit_h
 #define ConformalCurvedTriangleFit_h
@@ -11,10 +11,12 @@
 
 namespace conformal
 {
+/// Parameters of fitCurvedTriangles().
 struct CurvedTriangleFitOptions
 {
   int NumberOfFitRounds = 6; ///< number of iterations, at least 0
-  /// Weight of the regularization relative to the samples, at least 0. Larger values smooth noise.
+  /// Weight of the regularization (see fitCurvedTriangles()) relative to the samples, at least 0.
+  /// Larger values smooth noise.
   double FitSmoothness = 0.01;
 };
 
@@ -22,13 +24,18 @@ struct CurvedTriangleFitOptions
 ///
 /// Each iteration finds the foot point (closest point) of every sample on the curved triangles. One
 /// Gauss-Newton step then reduces the distances along the normals at the foot points. Each vertex
-/// has three unknowns: an offset d along the vertex normal n, and two tilts of n. The vertices
-/// therefore do not slide tangentially, and the map of the surface to the sphere is preserved.
+/// has three unknowns: an offset d along the vertex normal n, and two tilts of n. Vertices
+/// therefore move only along their normals, and do not slide along the surface. The map of the
+/// surface to the sphere is thus preserved.
 ///
-/// The regularization is lambda |L d|^2 + lambda / 10 (h / 4)^2 |n - n'|^2. Here L is the uniform
-/// Laplacian, and n' is the mean normal of the adjacent triangles. The length h is the mean length
-/// of the adjacent edges. The factor lambda is FitSmoothness times the total weight of the samples,
-/// divided by the number of vertices.
+/// The regularization is a sum over the vertices, of the terms
+///
+///     lambda (L d)^2 + lambda / 10 (h / 4)^2 |n - n'|^2
+///
+/// Here L d is the uniform Laplacian of the offsets: d minus the mean d of the neighbors. The
+/// second term tilts n toward n', the mean normal of the adjacent triangles. The length h is the
+/// mean length of the adjacent edges. The factor lambda is FitSmoothness times the total weight of
+/// the samples, divided by the number of vertices.
 ///
 /// Outliers are ignored. An outlier is a sample much farther from the surface than neighboring
 /// samples (LocalScale.h).
@@ -37,7 +44,7 @@ struct CurvedTriangleFitOptions
 /// @param[in] samples  points to which the triangles are fitted, of about the size and position of
 ///   `start`
 /// @throws std::invalid_argument if an option is out of range, or if the size of the samples is
-///   very different
+///   very different from the size of `start`
 /// @throws Aborted
 CurvedTriangles fitCurvedTriangles(const CurvedTriangles& start, const TrainingSamples& samples,
   const CurvedTriangleFitOptions& options = {}, const Run& run = {});

@@ -16,16 +16,17 @@
 namespace conformal
 {
 /// Evaluate one curved triangle, the cubic PN triangle of \cite Vlachos2001. Let w_k be the
-/// positions and n_k the normals of the corners, and let m_k be barycentric coordinates. The point
-/// at m is
+/// positions of the corners, and n_k their outward normals. Let m_k be the barycentric coordinates
+/// of a point. The point of the curved triangle at m = (m_0, m_1, m_2) is
 ///
 ///     q(m) = sum_k m_k w_k
 ///            - sum_k sum_{j != k} (m_k^2 m_j + m_0 m_1 m_2 / 2) ((w_j - w_k) . n_k) n_k
 ///
 /// A curved edge depends only on the positions and normals at its ends. Adjacent triangles
-/// therefore join without a gap. Triangles bulge outward on ridges and inward in hollows, since
-/// (w_j - w_k) . n_k has different signs there. A normal shorter than 1 gives a flatter corner. The
-/// tangent planes of adjacent triangles agree at the vertices only.
+/// therefore join without a gap. On ridges, (w_j - w_k) . n_k is negative, and the triangles bulge
+/// outward. In hollows, (w_j - w_k) . n_k is positive, and the triangles bulge inward. A normal
+/// shorter than 1 gives a flatter corner. The tangent planes of adjacent triangles agree at the
+/// vertices only.
 class CurvedTriangle
 {
 public:
@@ -43,8 +44,9 @@ public:
   Vector3 surfaceNormal(const Vector3& barycentric) const;
 
   /// Return whether the curved triangle folds over: somewhere, its normal is opposite to the normal
-  /// of the flat triangle. If the control points do not exclude a fold, the points of a fine grid
-  /// are tested. Return false if the flat triangle has zero area.
+  /// of the flat triangle. The control points of the cubic patch are tested first. If they do not
+  /// exclude a fold, the points of a fine grid are tested. Return false if the flat triangle has
+  /// zero area.
   bool folds() const;
 
   /// Return the bounding box of the control points, which contains the curved triangle.
@@ -64,15 +66,16 @@ private:
   Eigen::Matrix3d Rise; // (w_j - w_k) . n_k at (k, j)
 };
 
-/// Evaluate normals for shading over a triangle. The normals are the quadratic field of
-/// \cite Vlachos2001, which is continuous across edges.
+/// Evaluate normals for shading over a triangle. The normals are interpolated quadratically as in
+/// \cite Vlachos2001. They are continuous across edges, in contrast to the exact normals.
 class ShadingNormals
 {
 public:
   ShadingNormals() = default;
   explicit ShadingNormals(const CurvedTriangle& triangle);
 
-  /// Return the unit normal at given barycentric coordinates, or zero where normals cancel.
+  /// Return the unit normal at given barycentric coordinates, or zero where the interpolated normal
+  /// has length 0.
   Vector3 operator()(const Vector3& barycentric) const;
 
 private:
@@ -86,7 +89,8 @@ public:
   CurvedTriangles() = default;
 
   /// @param[in] positions  positions of the vertices, #V by 3
-  /// @param[in] normals  normals of the vertices, of length 1 or less, #V by 3
+  /// @param[in] normals  normals of the vertices, #V by 3; normals shorter than 1 give flatter
+  ///   triangles
   /// @param[in] triangles  vertex ids of the triangles, #F by 3
   CurvedTriangles(
     const Points& positions, const Points& normals, const conformal::Triangles& triangles);
@@ -103,12 +107,13 @@ private:
   conformal::Triangles Triangles;
 };
 
-/// Move vertices inward on ridges and outward in hollows. On average, the curved triangles then
-/// coincide with the original flat triangles.
+/// Move vertices inward on ridges and outward in hollows. New curved triangles through the moved
+/// vertices then coincide with the original flat triangles on average.
 ///
-/// Use this function for a mesh that was fitted to points by least squares. The flat triangles of
-/// such a mesh are in the middle of the points. Vertices on ridges are therefore outside. Curved
-/// triangles through these vertices would be too far outside.
+/// Use this function for a mesh that was fitted to points by least squares. The flat triangles of a
+/// fitted mesh pass through the middle of the points. On ridges, the vertices of the mesh are
+/// therefore outside of the sampled surface. Curved triangles through these vertices would be even
+/// farther outside.
 ///
 /// Let w_i be the position and n_i the normal of vertex i, and let phi_i be the hat function of the
 /// vertex: the piecewise linear function that is 1 there and 0 at all other vertices. Let g_i be
@@ -127,14 +132,15 @@ private:
 ///
 /// @param[in] surface  curved triangles through the original vertices
 /// @param[in] around  triangles around each vertex, see vertexTriangles()
-/// @param[in] share  factor of the move; 1 preserves the volume
+/// @param[in] share  factor of the move; with 1, the curved triangles enclose about the volume of
+///   the flat triangles
 /// @return the new positions, #V by 3
 Points lowerVertices(
   const CurvedTriangles& surface, const Adjacency& around, double share, const Run& run = {});
 
 /// Shorten vertex normals until no curved triangle folds. Shorter normals make the triangles
 /// flatter.
-/// @return #F marks, 1 for triangles that were folded, else 0
+/// @return #F marks, 1 for triangles that folded before, else 0
 std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run = {});
 
 /// Angles between the exact normals of two adjacent triangles along the common edge, in degrees.
@@ -148,10 +154,12 @@ NormalJumps measureNormalJumps(
 
 /// Find closest points on curved triangles with a search tree.
 ///
-/// A query searches every triangle whose bounding box is close enough. Newton's method starts at
-/// the foot point (closest point) on the flat triangle. Each step minimizes the distance to the
-/// tangent triangle, so that edges and corners need no special cases. Queries do not modify the
-/// tree, so several threads may query concurrently.
+/// A query searches every curved triangle whose bounding box is closer than the closest point found
+/// so far. The search in one curved triangle is Newton's method. It starts at the foot point
+/// (closest point) on the flat triangle. Each step moves toward the closest point of the tangent
+/// triangle, the flat triangle tangent to the curved one at the current point. Edges and corners
+/// thus need no special cases. Queries do not modify the tree, so several threads may query
+/// concurrently.
 class CurvedTriangleTree
 {
 public:

@@ -1,7 +1,9 @@
-/// Compute normals, orientation, support and marks of a curved seamless surface. The surface was
-/// evaluated at the vertices of a mesh of directions. The method is an own construction, not from a
-/// publication. Normals are averaged and filled in here, because \cite Liou2008 does not specify
-/// the shading of the samples.
+/// Compute normals, orientation, support and marks for samples of a curved seamless surface. The
+/// surface consists of curved patches, and has one point for each direction. The samples are the
+/// points for given directions, the vertices of a mesh on the sphere. Support is the degree to
+/// which points of the scan were near. Marks are set on degenerate triangles. The method is an own
+/// construction, not from a publication. Normals are averaged and filled in here, because
+/// \cite Liou2008 does not specify the shading of the samples.
 
 #ifndef ConformalSampledSurface_h
 #define ConformalSampledSurface_h
@@ -17,22 +19,23 @@ namespace conformal
 using PointsIn = Eigen::Ref<const Points>; ///< #P by 3, a view of existing memory
 using PointsOut = Eigen::Ref<Points>;      ///< #P by 3, a view of existing memory
 
-/// Return whether most of the area of a mesh is oriented opposite to given normals. This occurs if
-/// the map to the sphere is mirrored.
+/// Return whether most of the area of a mesh is oriented opposite to given normals. The result is
+/// true if the map to the sphere is mirrored.
 bool isOrientedInward(
   const PointsIn& positions, const Triangles& triangles, const PointsIn& normals);
 
 /// Replace the normal at each point by the normalized mean of the normals of adjacent triangles.
-/// Use this function for surfaces without continuous normals. Such surfaces consist of flat
-/// triangles, with or without the domes of the sphere (DomeHeight).
+/// Use this function for surfaces with DomeHeight None, Published or Scaled. The normals of these
+/// surfaces are those of flat triangles, and discontinuous at edges.
 /// @param[in,out] normals  unit normals; unchanged at points where the mean is zero
 void smoothNormals(const PointsIn& positions, const Triangles& triangles, PointsOut normals);
 
 /// Replace each normal of length zero by the direction for which the point was evaluated.
 void fillNormals(PointsOut normals, const PointsIn& directions, const Run& run = {});
 
-/// Interpolate the support of the vertices linearly. The support of a vertex, in [0, 1], is the
-/// degree to which points of the scan were near the vertex.
+/// Interpolate the support at given directions. The support of a vertex, in [0, 1], is the degree
+/// to which points of the scan were near the vertex. Between vertices, support is linear on the
+/// triangles of the sphere.
 /// @param[in] support  support of each vertex of the surface, #V. Values are clamped to [0, 1].
 ///   Values that are not finite count as 0.
 /// @param[in] directions  unit vectors, #P by 3
@@ -42,7 +45,7 @@ std::vector<double> supportAt(const CurvedSeamlessSurface& surface, const Number
   const PointsIn& directions, const Run& run = {});
 
 /// Mark the triangles that are within a degenerate triangle of the curved seamless surface.
-/// @param[in] triangles  triangles whose vertices are the directions
+/// @param[in] triangles  triangles of the mesh whose vertices are the directions
 /// @param[in] subdivisions  number that was passed to subdividedNetwork(), or 0 for other
 ///   directions. With 0, a triangle is marked if one of its vertices is degenerate.
 /// @param[in] degenerate  mark of each direction, as written by evaluate(); used if subdivisions is

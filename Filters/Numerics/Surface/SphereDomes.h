@@ -15,14 +15,18 @@ namespace conformal
 /// Compute directions and heights of the domes, \cite Liou2008 Eqs. 6 to 8, 11 and 12.
 ///
 /// Let p be a direction. The ray along p intersects a flat triangle of the network at p'. Let q' be
-/// the image of p' on the flat triangle of the model. The image of the centroid divides the model's
-/// triangle into three subtriangles, one at each edge.
+/// the image of p' on the flat triangle of the model. The centroid of the network's triangle also
+/// has an image on the model's triangle. This image divides the model's triangle into three
+/// subtriangles, one at each edge.
 ///
 /// Implementation note: the equations are completed in the following cases.
 ///
-/// - At a corner, the quotient of Eq. 11 is 0/0. The quotient is then 1, and the height is 0.
-/// - In Eq. 11, a_q' is a point on the perpendicular to an edge through q'. If the image of the
-///   centroid is beyond an end of the edge, a_q' is where the perpendicular leaves the subtriangle.
+/// - Eq. 11 interpolates between the normal of the triangle and the mean normal at an edge. The
+///   weight is a quotient, which is 0/0 at a corner. The quotient is then set to 1. The height at a
+///   corner is 0.
+/// - In Eq. 11, a_q' is a point on the line through q' that is perpendicular to an edge. If the
+///   image of the centroid is beyond an end of the edge, a_q' is where this line leaves the
+///   subtriangle.
 /// - Neighbors with exactly opposite normals have no mean normal (Eq. 8). The normal of each
 ///   triangle is then used at the common edge.
 /// - A triangle of zero area has no normal. At its edges, the normals of the neighbors are used.
@@ -62,7 +66,7 @@ private:
   const Points* Model = nullptr;
   const conformal::Triangles* Triangles = nullptr;
   const conformal::Triangles* Neighbors = nullptr;
-  Points Centers; // images of the centroids, c_w, as barycentric coordinates, #R by 3
+  Points Centers; // barycentric coordinates of the images of the centroids, c_w, #R by 3
   Points Normals; // normals of the flat triangles, #R by 3
 };
 }

@@ -1,7 +1,7 @@
 /// Estimate how far vertices of a learned mesh must be shifted before curved triangles are built on
-/// the mesh. Curved triangles through fitted vertices would be too far outside. The method is an
-/// own construction, not from a publication. One factor (share) for all vertices is found by least
-/// squares.
+/// the mesh. On ridges, the vertices of a fitted mesh are outside of the points, so that curved
+/// triangles through them would be too far outside. The method is an own construction, not from a
+/// publication. One factor (share) for all vertices is found by least squares.
 
 #ifndef ConformalVertexShift_h
 #define ConformalVertexShift_h
@@ -13,27 +13,30 @@
 
 namespace conformal
 {
-/// Factor for lowerVertices() if there are no samples for an estimate. This factor preserves the
-/// volume.
+/// Factor for lowerVertices() (CurvedTriangles.h) if there are no samples for an estimate. With
+/// this factor, the curved triangles enclose about the volume of the flat triangles.
 constexpr double UsualVertexShift = 1.0;
+/// Upper bound of the factor for lowerVertices().
 constexpr double MaximumVertexShift = 2.0;
 
-/// Estimate the factor (share) for lowerVertices() from the samples to which a mesh was fitted. The
-/// share is the sum of two parts.
+/// Estimate the factor (share) for lowerVertices() from the samples to which a mesh was fitted.
+/// lowerVertices() moves vertices inward on ridges and outward in hollows. The share is the sum of
+/// two parts.
 ///
-/// The first part minimizes the squared distance between the curved triangles and the samples. The
-/// range of this part is [0, 1]. The share 1 preserves the volume. This part is 1 if the foot
-/// points (closest points) of the samples cover the triangles evenly. This part is 0 if the samples
-/// are at the vertices.
+/// With the first part as share, the sum of squared distances between the curved triangles and the
+/// samples is minimal. The range of this part is [0, 1]. If the foot points (closest points) of the
+/// samples cover the flat triangles evenly, the first part is 1. If the samples are at the
+/// vertices, the first part is 0.
 ///
-/// The second part corrects for decimated samples. Decimation keeps more samples where the object
-/// is curved, and places them outside of the object there. Flat triangles between the samples then
-/// preserve the shape. Only the density of the samples reveals decimation.
+/// The second part corrects for decimated samples: vertices of a dense mesh that was reduced to
+/// fewer triangles. Decimation keeps more samples where the object is curved. There, decimation
+/// also places samples outside of the object, so that flat triangles between them preserve the
+/// shape. Only the density of the samples reveals decimation.
 ///
-/// Two means are therefore computed of the distance by which lowerVertices() moves vertices. The
-/// first is averaged over the samples, the second over the area with samples nearby. If the first
-/// mean is larger, the second part is 3 times the relative excess. Otherwise, the second part is 0,
-/// as for samples whose density is independent of curvature. The factor 3 was measured on decimated
+/// The distance by which lowerVertices() moves vertices at share 1 is therefore averaged in two
+/// ways. Mean A is over the samples. Mean B is over the area with samples nearby. If A > B, the
+/// second part is 3 (A / B - 1). Otherwise, the second part is 0. If the density of the samples
+/// does not depend on curvature, A and B are nearly equal. The factor 3 was measured on decimated
 /// scans.
 ///
 /// @param[in] mesh  closed mesh in the unit of the original points

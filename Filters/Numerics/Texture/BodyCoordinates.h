@@ -1,6 +1,7 @@
-/// Compute longitude and latitude on a body that has a map to the sphere. The method is an own
-/// construction, not from a publication. The map is changed by a Moebius transform, which keeps the
-/// map conformal. Both ends of the rotation axis are thus moved to the poles of the sphere.
+/// Compute longitude and latitude on a body, such as an asteroid, that has a map to the sphere. The
+/// method is an own construction, not from a publication. The map is changed by a Moebius
+/// transform, which keeps the map conformal. Both ends of the rotation axis are thus moved to the
+/// poles of the sphere.
 
 #ifndef ConformalBodyCoordinates_h
 #define ConformalBodyCoordinates_h
@@ -37,22 +38,23 @@ struct BodyCoordinates
 ///
 /// From Center, the rotation axis intersects the surface in both directions. The farthest
 /// intersections are the poles. A conformal transform of the sphere moves both poles to opposite
-/// points. Several transforms have this property. The chosen transform balances north and south:
-/// the mean sine of latitude over the area of the body is 0.
+/// points of the sphere. Of all transforms with this property, the chosen transform balances north
+/// and south: the mean sine of latitude over the area of the body is 0.
 ///
 /// Longitude 0 passes through the point of the surface closest to MarkerPoint. Without a marker
 /// point, longitude 0 passes through a point on a ray from Center. This point is the farthest
 /// intersection of the ray with the surface. The direction of the ray is the x axis, projected
 /// perpendicular to the rotation axis. If the rotation axis is the x axis, the y axis is projected
-/// instead. Seen from outside above the north pole, east is counter-clockwise, also for a mirrored
-/// map.
+/// instead. Seen from above the north pole, longitude increases counter-clockwise, also for a
+/// mirrored map.
 ///
 /// @param[in] surface  body with its sphere map; all numbers must be finite
 /// @throws std::invalid_argument if there are no triangles, or if numbers are not finite
 /// @throws std::invalid_argument if the axis has length 0, or does not intersect the surface on
 ///   both sides of Center
 /// @throws std::invalid_argument if both poles coincide on the sphere
-/// @throws std::invalid_argument if no point defines longitude 0, or if that point is a pole
+/// @throws std::invalid_argument if the ray for longitude 0 does not intersect the surface, or if
+///   the point of longitude 0 is a pole
 BodyCoordinates findBodyCoordinates(
   const MappedMesh& surface, const BodyCoordinatesOptions& options = {}, const Run& run = {});
 
@@ -64,7 +66,7 @@ Vector2 toLongitudeLatitude(const Vector3& direction);
 Vector3 toDirection(const Vector2& longitudeLatitude);
 
 /// Find the points of the body at given directions of the sphere. If a direction is in a hole of
-/// the map, the coordinates of its point are infinite.
+/// the map, where no triangle is, the coordinates of its point are infinite.
 /// @param[in] directions  #P by 3 unit vectors
 /// @return #P by 3 positions
 Points placeOnBody(const MappedMesh& body, const Points& directions, const Run& run = {});

@@ -1,6 +1,6 @@
 /// Compute heights and slopes of a body relative to a reference ellipsoid or sphere. The method is
 /// an own construction, not from a publication. The reference is computed from the volume and
-/// moments of the body, because no fit is then required.
+/// moments of the body, so that no iterative fit is required.
 
 #ifndef ConformalBodyRelief_h
 #define ConformalBodyRelief_h
@@ -14,7 +14,7 @@ namespace conformal
 /// Reference ellipsoid. If all radii are equal, the ellipsoid is a sphere.
 struct ReferenceEllipsoid
 {
-  Vector3 Center = Vector3::Zero();
+  Vector3 Center = Vector3::Zero(); ///< center of the ellipsoid
   /// Unit vectors along the axes of the ellipsoid, as columns; right-handed.
   Eigen::Matrix3d Axes = Eigen::Matrix3d::Identity();
   Vector3 Radii = Vector3::Ones(); ///< radii along the columns of Axes, in descending order
@@ -34,7 +34,8 @@ ReferenceEllipsoid referenceEllipsoid(const Mesh& body);
 struct BodyRelief
 {
   /// Height of each vertex, #V. Let d be the distance of the vertex from the center of the
-  /// reference. The height is d minus the distance of the reference surface in the same direction.
+  /// reference. The height is d minus the distance from the center to the surface of the reference,
+  /// in the same direction.
   std::vector<double> Heights;
   /// Angle between the normals of body and reference at each vertex, #V [degrees].
   std::vector<double> Slopes;

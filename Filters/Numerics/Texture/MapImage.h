@@ -1,6 +1,6 @@
-/// Compute images of plane maps of a body, in the projections of \cite Snyder1987. The method is an
-/// own construction, not from a publication. The direction of each pixel is located on the sphere
-/// map, because this works for every projection.
+/// Compute images of plane maps of a body, in the projections of \cite Snyder1987. The body has a
+/// map to the sphere. The method is an own construction, not from a publication. For the direction
+/// of each pixel, the point of the sphere map is searched, because this works for every projection.
 
 #ifndef ConformalMapImage_h
 #define ConformalMapImage_h
@@ -37,7 +37,8 @@ struct MapImage
   }
 };
 
-/// Find the point of the body that each pixel shows, and pass the points to `sink`.
+/// Find the point of the body that each pixel shows, and pass the points to `sink`, a function of
+/// the caller.
 /// @param[in] body  body with a sphere map whose north pole is (0, 0, 1)
 /// @throws std::invalid_argument if there are no pixels or no triangles
 void paintMap(

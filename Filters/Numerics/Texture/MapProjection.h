@@ -11,7 +11,7 @@ using Vector2 = Eigen::Vector2d;
 
 /// Projection of the sphere to a plane map. The unit of an equirectangular map is one degree. The
 /// unit of the other maps is the radius of the sphere. Lambert and Mollweide maps preserve areas.
-/// The Peirce map has true scale at the north pole.
+/// The scale of the Peirce map is 1 at the north pole.
 enum class MapProjection
 {
   /// The map is 360 by 180 units: degrees of longitude from the central meridian, and degrees of

@@ -1,6 +1,7 @@
-/// Compute a density of points that is higher at the details of a picture on the sphere. The method
+/// Compute a density of points on the sphere that is higher at the details of a picture. The method
 /// is an own construction, not from a publication. The density is proportional to the slope of the
-/// picture, because blur at borders between colors then has no effect.
+/// picture: the change of its values per distance. Blur at a border between colors then does not
+/// change the number of points at the border.
 
 #ifndef ConformalPictureDensity_h
 #define ConformalPictureDensity_h
@@ -25,8 +26,9 @@ struct Picture
 
 /// Build a density proportional to the slope of a picture on the sphere, for any projection. The
 /// slope of each component is estimated by differences over about a pixel. The density is the
-/// square root of the sum of the squared slopes of all components. The number of points at a border
-/// between two colors does not depend on the sharpness of the border.
+/// square root of the sum of the squared slopes of all components. If points are distributed by the
+/// density, their number at a border between two colors does not depend on the sharpness of the
+/// border.
 ///
 /// @param[in] picture  grid of pixels; stored in the density
 /// @param[in] image  position and projection of the picture on the sphere
@@ -35,10 +37,11 @@ struct Picture
 ///   not finite
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
 
-/// Combine a density with the details of a picture. Half of the points follow the density, the
-/// other half follow the details. The values of the picture may have any unit. A picture with only
-/// one color has no details. The density is then returned unchanged.
-/// @param[in] density  density of the half that does not follow the picture
+/// Combine a density with the details of a picture. If points are distributed by the result, half
+/// of them are due to `density`, and half to the details of the picture. The unit of the values of
+/// the picture has no effect. A picture with only one color has no details. For such a picture, the
+/// density is returned unchanged.
+/// @param[in] density  density of the half of the points that does not depend on the picture
 /// @param[in] picture  grid of pixels
 /// @param[in] image  position and projection of the picture on the sphere
 /// @throws std::invalid_argument if pictureDensity() throws it

@@ -19,22 +19,23 @@ struct PixelMix
   std::array<double, 4> Weights; ///< weights of the pixels, at least 0; the sum is 1
 };
 
-/// Grid of pixels, stored in rows from bottom to top. The pixel in column i and row j has its
-/// center at ((i + 1/2) / Width, (j + 1/2) / Height).
+/// Grid of pixels, stored in rows from bottom to top. The center of the pixel in column i and row j
+/// has the texture coordinates ((i + 1/2) / Width, (j + 1/2) / Height).
 struct PixelGrid
 {
   Index Width = 0;
   Index Height = 0;
 
   Index size() const { return this->Width * this->Height; }
+  /// Return the texture coordinates of the center of a pixel.
   Vector2 middleOf(Index pixel) const
   {
     const Index column = pixel % this->Width, row = pixel / this->Width;
     return { (static_cast<double>(column) + 0.5) / static_cast<double>(this->Width),
       (static_cast<double>(row) + 0.5) / static_cast<double>(this->Height) };
   }
-  /// Compute bilinear weights at texture coordinates. Positions outside of the rectangle between
-  /// the centers of the corner pixels are clamped to this rectangle.
+  /// Compute the weights of bilinear interpolation at texture coordinates. Positions outside of the
+  /// rectangle between the centers of the corner pixels are clamped to this rectangle.
   PixelMix mixAt(const Vector2& st) const
   {
     const auto along = [](double x, Index size)

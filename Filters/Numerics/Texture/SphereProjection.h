@@ -14,12 +14,13 @@ namespace conformal
 {
 using Vector2 = Eigen::Vector2d;
 
+/// Projection of directions to an image. View is SphereImage::View.
 enum class SphereProjection
 {
   /// Projection onto the plane tangent to the sphere at View.Pole, \cite Liou2008 section 4.2.
   Stereographic,
-  /// Whole sphere, twice as wide as high. View.Pole is in the middle of the image. The whole top
-  /// edge is the single direction View.Up.
+  /// Whole sphere, twice as wide as high. View.Pole is in the middle of the image. All points of
+  /// the top edge have the direction View.Up.
   LongitudeLatitude,
   /// Whole sphere, a square. View.Pole is in the middle of the image, and the opposite direction is
   /// in the four corners.
@@ -44,8 +45,8 @@ struct SphereImage
 
 /// Project a direction stereographically onto the plane tangent to the sphere at the pole of the
 /// view. The unit is the diameter of the sphere. Let theta be the angle between the direction and
-/// the pole. The distance from the pole in the plane is then tan(theta / 2). The direction opposite
-/// to the pole is mapped to a point at a very large distance.
+/// the pole. In the plane, the distance of the direction from the pole is then tan(theta / 2). The
+/// direction opposite to the pole is mapped to a point at a very large distance.
 Vector2 stereographicPlane(const Vector3& n, const SphereView& view);
 
 /// Project a direction to texture coordinates.
@@ -54,8 +55,8 @@ Vector2 stereographicPlane(const Vector3& n, const SphereView& view);
 Vector2 sphereToTexture(const Vector3& n, const SphereImage& image);
 
 /// Compute the direction at texture coordinates. This is the inverse of sphereToTexture(). The
-/// margin along a seam shows the part of the sphere beyond the seam. Pixels can therefore be
-/// interpolated at the seam.
+/// margin along a seam (a line where the image is discontinuous) shows the part of the sphere
+/// beyond the seam. Pixels can therefore be interpolated at the seam.
 /// @return unit vector
 Vector3 textureToSphere(const Vector2& st, const SphereImage& image);
 
@@ -78,8 +79,8 @@ std::vector<SpherePatch> spherePatches(const SphereImage& image);
 /// spherePatches().
 int patchOf(const Vector3& n, const SphereImage& image);
 
-/// Project a direction to texture coordinates by the projection of one part of the sphere.
-/// Directions on a seam, or beyond the seam by rounding, thus get coordinates on the side of this
+/// Project a direction to texture coordinates by the projection of one part of the sphere. A
+/// direction on a seam, or beyond the seam by rounding, thus gets coordinates on the side of this
 /// part. The zero vector is accepted and projected into the part. The zero vector occurs if a flat
 /// triangle passes through the center of the sphere.
 /// @param[in] patch  index into spherePatches()

@@ -1,7 +1,7 @@
 /// Choose the position and orientation of an image on the sphere for a given view of the surface.
-/// The method is an own construction, not from a publication. The image should be upright for the
-/// viewer in its middle. The orientation is therefore computed from derivatives of the sphere map
-/// there.
+/// The method is an own construction, not from a publication. In its middle, the image should be
+/// upright for the viewer. The orientation is therefore computed from derivatives of the sphere map
+/// in the middle of the image.
 
 #ifndef ConformalSphereViewChoice_h
 #define ConformalSphereViewChoice_h
@@ -17,7 +17,8 @@ struct SphereViewOptions
   Vector3 ViewDirection = { 0, 0, 1 }; ///< direction from the surface to the viewer, of any length
   /// Upward direction for the viewer, of any length. Must not be parallel to ViewDirection.
   Vector3 ViewUp = { 0, 1, 0 };
-  /// Whether the middle of the image is at ViewPoint, viewed from outside.
+  /// Whether the middle of the image is at ViewPoint. ViewDirection is then replaced by the mean
+  /// outward normal around ViewPoint.
   bool UseViewPoint = false;
   Vector3 ViewPoint = { 0, 0, 0 }; ///< point picked on the surface, or close to the surface
   /// Angle of the sphere across the inscribed circle of the image [degrees].

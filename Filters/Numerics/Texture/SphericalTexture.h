@@ -17,7 +17,8 @@ struct SphericalTextureOptions : SphereViewOptions
   SphereProjection Projection = SphereProjection::Stereographic;
   Vector2 Scale = { 1, 1 }; ///< scale of the image about its middle, along s and t; above 0
   TextureWrap Wrap = TextureWrap::Clamp;
-  /// Whether to cut the surface along each seam, fold and border of the image.
+  /// Whether to cut the surface along each seam, fold and border of the image; see
+  /// makeSphericalTexture().
   bool SplitSeam = false;
   double Margin = 0.0; ///< width of the margin along the seams, see SphereImage::Margin
 };
@@ -29,11 +30,12 @@ constexpr double MaximumScale = 1e3;
 /// Compute texture coordinates of every point of a surface from its sphere map, \cite Liou2008
 /// section 4.2. The position of the image on the sphere is chosen by chooseSphereView().
 ///
-/// With SplitSeam, the surface is cut along seams and folds of the projection, and along borders of
-/// the image. No triangle then shows the image mirrored or squeezed. The three corners of each
-/// triangle are then all inside of the image, or all outside. An edge is not cut within a
-/// thousandth of its length from an end. The projection bends triangles, so that the images of thin
-/// triangles may be mirrored. Such triangles are cut across.
+/// With SplitSeam, the surface is cut along three kinds of lines: seams, where the projection is
+/// discontinuous; folds, where it is not smooth; and borders of the image. After the cut, no
+/// triangle shows the image mirrored or squeezed. The three corners of each triangle are all inside
+/// of the image, or all outside. An edge is not cut within a thousandth of its length from an end.
+/// The projection bends the sides of triangles, so that the images of thin triangles may be
+/// mirrored. Mirrored triangles are divided at their longest side.
 ///
 /// @param[in] points  #V by 3 coordinates, finite
 /// @param[in] triangles  #F by 3 ids in [0, #V), at least one

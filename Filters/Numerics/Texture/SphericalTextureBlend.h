@@ -1,6 +1,7 @@
 /// Blend two pictures of an object, from the front and from the back, into one image of the sphere.
-/// The method is an own construction, not from a publication. The weights follow a smooth step
-/// between the middles of both pictures. Neither picture therefore ends at a visible edge.
+/// The method is an own construction, not from a publication. From the middle of one picture to the
+/// middle of the other, the weights change by a smooth step. Neither picture therefore ends at a
+/// visible edge.
 
 #ifndef ConformalSphericalTextureBlend_h
 #define ConformalSphericalTextureBlend_h
@@ -22,8 +23,9 @@ struct TwoPictures
   double BlendAngle = 30.0;      ///< width of the blended zone on the sphere, in [0, 180] [degrees]
 };
 
-/// Pixel of the blended image. Its value is FrontShare times the value of Front, plus (1 -
-/// FrontShare) times the value of Back.
+/// Pixel of the blended image. Front and Back are the pixels of both pictures to interpolate. The
+/// value of the blended pixel is FrontShare times the value of Front, plus (1 - FrontShare) times
+/// the value of Back.
 struct BlendedPixel
 {
   PixelMix Front, Back;
@@ -35,12 +37,13 @@ struct BlendedPixel
 using BlendSink = std::function<void(Index firstPixel, const std::vector<BlendedPixel>& pixels)>;
 
 /// Compute the weight of the front picture at a direction. The weight increases from 0 to 1 by a
-/// smooth step over BlendAngle. In the middle of the step, the direction has equal distances to the
-/// poles (middles) of both pictures. If the poles are opposite, this middle is the equator between
-/// the poles.
+/// smooth step over BlendAngle. The weight is 1/2 at directions that have equal distances to the
+/// poles (middles) of both pictures. If the poles are opposite, these directions form the equator
+/// between the poles.
 double frontShare(const Vector3& n, const TwoPictures& pictures);
 
-/// Blend two pictures into an image of the sphere, and pass the pixels to `sink`.
+/// Blend two pictures into an image of the sphere, and pass the pixels to `sink`, a function of the
+/// caller.
 /// @param[in] image  position and projection of the blended image on the sphere
 /// @param[in] grid  size of the blended image
 /// @throws std::invalid_argument if an image has no pixels or BlendAngle is out of range

@@ -1,5 +1,5 @@
-/// Find the point of a surface that each pixel of an image of the sphere shows, \cite Liou2008
-/// section 4.2.
+/// Each pixel of an image of the sphere shows a direction. Find the point of a surface that is
+/// mapped to this direction, \cite Liou2008 section 4.2.
 
 #ifndef ConformalSphericalTextureImage_h
 #define ConformalSphericalTextureImage_h
@@ -27,21 +27,21 @@ using PixelSink = std::function<void(Index firstPixel, const std::vector<Surface
 using PixelDirection = std::function<bool(Index pixel, Vector3& direction)>;
 
 /// Find the point of the surface for every pixel that shows a direction, and pass the points to
-/// `sink`.
+/// `sink`, a function of the caller.
 /// @throws std::invalid_argument if there are no pixels or no triangles
 void paintSphere(const MappedMesh& surface, const PixelDirection& direction, const PixelGrid& grid,
   const PixelSink& sink, const Run& run = {});
 
-/// Find the point of the surface for every pixel of an image of the sphere. The direction at the
-/// center of the pixel is located on the sphere map. Pixels in the margin along a seam show the
-/// part of the sphere beyond the seam.
+/// Find the point of the surface for every pixel of an image of the sphere: the point that is
+/// mapped to the direction at the center of the pixel. A seam is a line where the image is
+/// discontinuous. Pixels in the margin along a seam show the part of the sphere beyond the seam.
 /// @throws std::invalid_argument if there are no pixels or no triangles
 void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
   const PixelGrid& grid, const PixelSink& sink, const Run& run = {});
 
 /// Find a point of a second surface, or of a cloud without triangles, for every pixel. First, the
-/// point of the mapped surface is found. Then the closest point of the second surface or cloud is
-/// found. The image can thus show details finer than the mapped surface.
+/// point of the mapped surface is found. Then the point of the second surface or cloud that is
+/// closest to this point is found. The image can thus show details finer than the mapped surface.
 /// @param[in] cloud  #P by 3 coordinates, finite; at least one point
 /// @param[in] cloudTriangles  #G by 3 ids in [0, #P); empty for a cloud without triangles
 /// @throws std::invalid_argument if there are no pixels, or if the surface has no triangles
@@ -50,10 +50,11 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const Run& run = {});
 
-/// Find the closest point of a cloud for every pixel, where the cloud is distributed over ranks. A
-/// rank may have no points. If the closest point of a pixel belongs to another rank, the ids on
-/// this rank are -1. A cloud without triangles stays distributed. A cloud with triangles is
-/// gathered on each rank.
+/// Find a point of a cloud for every pixel, for a cloud that is distributed over ranks (MPI
+/// processes). First, the point of the mapped surface is found. Then the point of the cloud, or of
+/// its triangles, that is closest to this point is found. A rank may have no points. If the found
+/// point of a pixel belongs to another rank, the ids on this rank are -1. A cloud without triangles
+/// stays distributed. A cloud with triangles is gathered on each rank.
 /// @param[in] surface  complete surface on one rank. The other ranks pass a surface without
 ///   triangles, and any image.
 /// @param[in] reduce  sums over the ranks

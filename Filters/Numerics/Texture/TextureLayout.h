@@ -14,7 +14,7 @@ namespace conformal
 {
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>; ///< (s, t)
 
-/// Texture at points of the surface whose texture coordinates are outside of the image.
+/// Texture of surface points that are outside of the image by their texture coordinates.
 enum class TextureWrap
 {
   Clamp,  ///< the border of the image is extended
@@ -32,8 +32,8 @@ struct SphericalTexture
 
   /// Triangles after the surface is cut along the seams of the projection, #F' by 3 ids in [0, #P).
   /// Empty if the surface is not cut (SphericalTextureOptions::SplitSeam). Let #V be the number of
-  /// vertices of the uncut surface. Points from id #V are added: copies of vertices with other
-  /// texture coordinates, or points on cut edges.
+  /// vertices of the uncut surface. Points with ids of at least #V are added: copies of vertices
+  /// with other texture coordinates, or points on cut edges.
   Triangles SplitTriangles;
   /// Id of the original triangle of each triangle in SplitTriangles, #F'.
   std::vector<int> TriangleIds;
