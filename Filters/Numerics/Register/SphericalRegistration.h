@@ -75,9 +75,9 @@ struct SphericalRegistrationResult
 ///
 /// The score of a map is its energy plus 3 times its pose difference. The energy is the stretch of
 /// the map, plus the weighted differences of features, plus terms for landmarks and against folds.
-/// The pose difference compares the shapes of both surfaces in space. After the best rotation in
-/// space, it is 1 minus the correlation of corresponding positions. For example, if the head of an
-/// animal is matched with a similar tail, the pose difference is large.
+/// The pose difference is 1 minus the correlation of corresponding positions, after the best
+/// rotation in space. For example, if the head of an animal is matched with a similar tail, the
+/// pose difference is large.
 ///
 /// 1. Find the initial rotations of the moving surface's sphere. If there are at least two
 ///    landmarks, they determine one rotation. Otherwise, up to eight rotations are found by the
