@@ -50,7 +50,7 @@ void LengthsFromFrame(
 
 /// Convert areas from the unit of a frame to the user's unit, in place.
 /// @param[in] size  number of values
-/// @param[in] what  description of the values in the error message
+/// @param[in] what  description of the values, for the error message
 /// @throws std::overflow_error if a converted value exceeds the range of doubles
 /// @throws std::overflow_error if the square of the unit is below 2^-960. Converted areas could
 ///   then be too small for doubles, and lose digits.

@@ -32,9 +32,9 @@ struct CloudNormals
 void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::Reduce& reduce, bool needed, CloudNormals& normals);
 
-/// Find the normals of a cloud, and pass them to the cloud's samples. They are used to make a hull,
-/// a closed surface around the points. If the hull method is Distance, which uses no normals, do
-/// nothing.
+/// Find the normals of a cloud, and pass them to the cloud's samples. With the normals, a hull is
+/// made, a closed surface around the points. If the hull method is Distance, which uses no normals,
+/// do nothing.
 /// @param[out] normals  memory for the normals; must outlive the samples
 /// @throws std::invalid_argument if the hull method is WindingNumbers and a cell contains an
 ///   invalid point id

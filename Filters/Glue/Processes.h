@@ -67,7 +67,7 @@ public:
   /// @throws conformal::Aborted if a process was aborted
   void agree(const std::string* error = nullptr);
 
-  /// Signal the other processes to stop the computation. They then call agree().
+  /// Signal the other processes to stop the computation. The other processes then call agree().
   void call();
 
 private:

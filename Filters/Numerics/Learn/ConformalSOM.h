@@ -38,9 +38,9 @@ namespace conformal
 ///   coordinates of the input points.
 ///
 ///   - If the start mesh has SpherePositions, its vertices need not be samples, but must be near
-///     the samples. Batch mode uses only its surface, not its map. In Online mode, each neuron
-///     starts at a point of the start mesh: the point that is mapped to the network position of the
-///     neuron.
+///     the samples. Batch mode uses only the surface of the start mesh, not the map. In Online
+///     mode, each neuron starts at a point of the start mesh: the point that is mapped to the
+///     network position of the neuron.
 ///   - If the start mesh has no SpherePositions, its vertices must be the samples. Its triangles
 ///     must be counter-clockwise seen from outside. Online mode requires SpherePositions.
 ///   - In Batch mode, a start mesh is not allowed if options.MeshType is Geodesic. If MeshType is

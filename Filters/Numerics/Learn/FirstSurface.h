@@ -29,7 +29,7 @@ struct FirstSurface : AdaptiveStart
 
 /// Learn a start surface from the unit sphere, by batch training on geodesic networks of increasing
 /// frequency (BatchTraining.h). The neurons of the finest network are the vertices of the start
-/// surface. Their number is a quarter of the vertices of the mesh to learn.
+/// surface. The number of these vertices is about a quarter of that of the mesh to learn.
 /// @param[in] observer  function called after each network; may be empty
 /// @throws NumericalFailure if a surface spans parts without samples, or has many obtuse triangles
 ///   because it is stretched over limbs. If options.StartingShape is Sphere, this exception is not

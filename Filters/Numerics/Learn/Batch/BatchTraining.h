@@ -55,10 +55,10 @@ using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double
 /// \cite Liou2008, summed over the patterns with all w_i fixed.
 ///
 /// The weights h_i(x) of a pattern are computed in two steps. First, the pattern is projected to
-/// the closest point of the mesh, and the corners of its triangle get barycentric weights. They are
-/// the weights of the projection itself, or of its reference point (options.ReferencePoint).
-/// Second, the weights are diffused over the network, so that neighboring neurons are also moved.
-/// The diffusion becomes narrower from pass to pass.
+/// the closest point of the mesh. The corners of the triangle that contains the projection get
+/// barycentric weights. The weights are those of the projection itself, or of the reference point
+/// (options.ReferencePoint). Second, the weights are diffused over the network, so that neighboring
+/// neurons are also moved. The diffusion becomes narrower from pass to pass.
 ///
 /// @param[in] goesOn  function called after the training of each network; if empty, all networks
 ///   are trained

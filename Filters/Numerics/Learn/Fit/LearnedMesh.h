@@ -36,8 +36,8 @@ struct TrainingRecord
 
 /// Learned mesh. In the notation of \cite Liou2008, the mesh in space is the model M^Delta, and
 /// Positions are the weights w_i of its vertices. The mesh on the sphere is the network S^Delta,
-/// and SpherePositions are the network positions n_i. Both have the same triangles. SpherePositions
-/// are empty if the mesh has not been mapped to the sphere.
+/// and SpherePositions are the network positions n_i. Model and network have the same triangles.
+/// SpherePositions are empty if the mesh has not been mapped to the sphere.
 struct LearnedMesh : MappedMesh
 {
   std::vector<TrainingRecord> History; ///< one record for each epoch, pass and iteration

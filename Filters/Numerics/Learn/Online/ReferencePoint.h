@@ -8,8 +8,8 @@
 namespace conformal
 {
 /// Kind of reference point. The projection of a pattern is its closest point on the learned mesh.
-/// This point is in some triangle, to which a triangle of the network on the sphere corresponds. An
-/// image of the projection is a point of the network triangle.
+/// The triangle that contains this point corresponds to a triangle of the network on the sphere. An
+/// image of the projection is a point of this network triangle.
 enum class ReferencePoint
 {
   Automatic, ///< Conformal in Online mode, Affine in Batch mode
