@@ -43,17 +43,17 @@ void AddTuple(vtkFieldData* data, const char* name, const double* values, int co
 
 /// Convert lengths or coordinates from the unit of a frame to the user's unit, in place.
 /// @param[in] size  number of values
-/// @param[in] what  description of the values in the error message
+/// @param[in] what  description of the values, for the error message
 /// @throws std::overflow_error if a converted value exceeds the range of doubles
 void LengthsFromFrame(
   double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what);
 
 /// Convert areas from the unit of a frame to the user's unit, in place.
 /// @param[in] size  number of values
-/// @param[in] what  description of the values in the error message
+/// @param[in] what  description of the values, for the error message
 /// @throws std::overflow_error if a converted value exceeds the range of doubles
 /// @throws std::overflow_error if the square of the unit is below 2^-960. Converted areas could
-///   then lose digits.
+///   then be too small for doubles, and lose digits.
 void AreasFromFrame(
   double* values, conformal::Index size, const conformal::CoordinateFrame& frame, const char* what);
 

@@ -21,20 +21,20 @@ struct CloudNormals
   conformal::Points Copy;
 };
 
-/// Find the normals of a cloud. If most points belong to polygons, normals are computed from the
-/// polygons. For this purpose, the polygons are oriented consistently. Otherwise, the normals are
-/// the active normals of the points. All ranks (processes) with points must then have active
-/// normals.
-/// @param[in] needed    whether to throw if a cell contains an invalid point id. If false, all
-///   polygons are ignored in this case.
+/// Find the normals of a cloud. If most points belong to polygons, normals are computed from
+/// consistently oriented copies of the polygons. Otherwise, the normals are the active normals of
+/// the points. If a rank (process) has points without active normals, the cloud has no normals.
+/// @param[in] needed    what to do if a cell contains an invalid point id. If true, throw an
+///   exception. If false, ignore all polygons.
 /// @param[out] normals  object to fill. Do not move the object afterward, since View may refer to
 ///   Copy.
 /// @throws std::invalid_argument if `needed` is true and a cell contains an invalid point id
 void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::Reduce& reduce, bool needed, CloudNormals& normals);
 
-/// If the hull method can use normals, find the normals of a cloud and pass them to the cloud's
-/// samples.
+/// Find the normals of a cloud, and pass them to the cloud's samples. With the normals, a hull is
+/// made, a closed surface around the points. If the hull method is Distance, which uses no normals,
+/// do nothing.
 /// @param[out] normals  memory for the normals; must outlive the samples
 /// @throws std::invalid_argument if the hull method is WindingNumbers and a cell contains an
 ///   invalid point id

@@ -11,14 +11,14 @@ namespace glue
 {
 /// Warn that some points are not finite.
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
-/// Warn that handles of the hull were cut open.
+/// Warn that handles of the hull (a closed surface around the points) were cut open.
 /// @param[in] cutFraction  fraction of the hull's area on the cuts
 void WarnOfCutHandles(vtkObject* self, double cutFraction);
-/// Warn that the normals of the points contradict each other and are not used.
+/// Warn that the normals of the points are not used, because they contradict each other.
 void WarnOfUnusedNormals(vtkObject* self);
-/// Warn that some points are apart from the object.
+/// Warn that some points are outside of the hull and far from it, apart from the object.
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
-/// Warn that some points are inside the hull, apart from its surface.
+/// Warn that some points are inside the hull and far from its surface.
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total);
 }
 

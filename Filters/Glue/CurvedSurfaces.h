@@ -20,9 +20,11 @@ class Processes;
 /// Properties of vtkCurvedSeamlessSurface that determine the shape of the surface.
 struct CurvedSeamlessProperties
 {
-  conformal::CurvedSeamlessSurfaceOptions Options; ///< all options; Options.VertexShift is ignored
-  /// Value of the property VertexShift. If the value is negative, the mesh's field array
-  /// "VertexShift" is used instead.
+  /// Options of the surface. Options.VertexShift is ignored; the member VertexShift is used
+  /// instead.
+  conformal::CurvedSeamlessSurfaceOptions Options;
+  /// Factor of the vertex shift, which moves vertices before domes are built (property
+  /// VertexShift). If the value is negative, the mesh's field array "VertexShift" is used instead.
   double VertexShift = -1.0;
 };
 

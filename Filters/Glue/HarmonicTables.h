@@ -12,8 +12,9 @@ class vtkTable;
 
 namespace glue
 {
-/// Coefficients of functions on the sphere. Each row belongs to one spherical harmonic. The rows
-/// are in the order of harmonicIndex() in Harmonics/SphericalHarmonics.h.
+/// Coefficients of functions on the sphere, as sums of spherical harmonics. Each row belongs to one
+/// spherical harmonic. The rows are in the order of harmonicIndex() in
+/// Harmonics/SphericalHarmonics.h.
 struct Harmonics
 {
   /// Three columns of coefficients of positions (x, y, z), then columns of further functions.
@@ -26,8 +27,9 @@ struct Harmonics
 /// functions (double).
 void ToTable(const Harmonics& harmonics, vtkTable* table);
 
-/// Convert a table to coefficients. The rows may have any order. Further columns are included if
-/// they have a name and contain numbers of 1 component. All other columns are skipped.
+/// Convert a table with the columns of ToTable() to coefficients. The rows may have any order.
+/// Columns of further functions must have a name and contain numbers of 1 component. All other
+/// columns are skipped.
 /// @throws std::invalid_argument if a column or row is missing, repeated or not finite. The message
 ///   contains the column or row.
 /// @throws std::invalid_argument if the maximum degree is above conformal::MaximumHarmonicDegree

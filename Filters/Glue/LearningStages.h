@@ -1,4 +1,5 @@
-// Convert intermediate surfaces of learning (stages) to blocks of a data set.
+// Convert intermediate surfaces of learning (stages) to blocks of a data set. Learning fits a mesh
+// to a point cloud, beginning with a start surface.
 #ifndef GlueLearningStages_h
 #define GlueLearningStages_h
 
@@ -11,12 +12,14 @@ class vtkMultiBlockDataSet;
 
 namespace glue
 {
-/// Set one block for each stage: a vtkPolyData with the surface of the stage. The block name is
-/// "<number of the start> <start>: <stage>", for example "1 sphere: level 8". Here the start is the
-/// surface from which learning began.
+/// Set one block for each stage: a vtkPolyData with the surface of the stage. The block name
+/// consists of the number and the name of the start surface, and the name of the stage. An example
+/// is "1 sphere: level 8": the first start surface is a sphere, and the stage is training on the
+/// network of frequency 8.
 ///
-/// Each block has field data with the quality of the surface: "StartNumber", "DefectScore",
-/// "UncoveredFraction", "InvertedFraction" and "FoldedFraction".
+/// Each block has the field data "StartNumber", "DefectScore", "UncoveredFraction",
+/// "InvertedFraction" and "FoldedFraction". The last four describe the quality of the surface, see
+/// LearningStage.h.
 /// @param[in] frame  coordinate frame of the stages; points are converted to the user's coordinates
 void SetStages(vtkMultiBlockDataSet* blocks, const std::vector<conformal::LearningStage>& stages,
   const conformal::CoordinateFrame& frame);

@@ -28,9 +28,11 @@ void AcceptSurfaces(vtkInformation* portInformation);
 /// Surfaces of an input port.
 struct Surfaces
 {
-  /// Shallow copies of the surfaces, made by Held() of Run.h.
+  /// Shallow copies of the surfaces, made by glue::Held() of Glue/Run.h. The copies keep their
+  /// arrays even if an observer changes the input.
   std::vector<vtkSmartPointer<vtkPolyData>> Held;
-  /// Name of the block of each surface; "" if the surface is not a block or has no name.
+  /// For each surface, the name of its block in composite data; "" if the surface is not a block,
+  /// or the block has no name.
   std::vector<std::string> Names;
   /// Modification time of each surface. The time changes whenever the data change.
   std::vector<vtkMTimeType> Times;
@@ -45,8 +47,8 @@ struct Surfaces
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
-/// Append the surfaces of all connections of a port. Blocks of composite data are appended in their
-/// order, without empty blocks.
+/// Append the surfaces of all connections of a port. Of composite data, all blocks except empty
+/// ones are appended, in their order.
 /// @throws std::invalid_argument if a data object or block is not a vtkPolyData
 void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
 

@@ -39,36 +39,36 @@ bool HasCellIds(vtkPolyData* surface);
 /// triangle. All triangles have three distinct vertices, and consistent orientation.
 struct ClosedMesh : conformal::Mesh
 {
-  /// For each vertex, the id of the point of the source surface from which the vertex was made.
+  /// For each vertex, the id of its point in the source surface, the surface that was converted.
   std::vector<vtkIdType> PointIds;
-  /// Whether triangles are clockwise seen from outside, as in the source surface. Outward()
-  /// reverses these triangles.
+  /// Whether all triangles are clockwise seen from outside, as in the source surface. If so,
+  /// Outward() reverses the triangles.
   bool InsideOut = false;
 };
 
 /// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired. One
 /// warning is issued for each kind of repair:
-/// - Coincident points of open edges are merged, as in polygon soups (polygons that share no
-///   points).
+/// - Coincident points of open edges are merged. In a polygon soup (polygons that share no points),
+///   all edges are open.
 /// - Triangles with a repeated point are removed.
-/// - Triangles are oriented consistently with the majority.
+/// - Triangles are oriented consistently, so that the majority keeps its orientation.
 /// - Isolated points are removed.
 ///
 /// @param[in] self   object that issues the warnings
-/// @param[in] frame  coordinate frame of the result. The frame is computed from the points of the
-///   surface, or also from other points.
+/// @param[in] frame  coordinate frame of the result. The points of the surface must be among the
+///   points from which the frame was computed.
 /// @throws std::invalid_argument if coordinates are not finite
 /// @throws std::invalid_argument if the repaired surface is open, not manifold, disconnected, or
-///   not of genus zero. The message contains the number of defects.
+///   not of genus zero. The message contains the number of defects, such as open edges.
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
 /// Return a copy of a closed mesh whose triangles are counter-clockwise seen from outside.
 conformal::Mesh Outward(const ClosedMesh& mesh);
 
-/// Set an output to the surface of a closed mesh. If the surface was not repaired, the output is a
-/// shallow copy of the source surface. Otherwise, the output is the repaired mesh, with the point
-/// data of the remaining points.
+/// Set an output to the source surface of a closed mesh. If ToClosedMesh() repaired nothing, the
+/// output is a shallow copy of the source surface. Otherwise, the output is the repaired mesh, with
+/// the point data of the remaining points.
 void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
   const conformal::CoordinateFrame& frame, vtkPolyData* output);
 
@@ -79,7 +79,7 @@ conformal::Mesh ToMeshIfClosed(
   vtkPolyData* surface, const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
 
 /// Copy the triangles, points and sphere positions of a surface to a mesh. Points are converted to
-/// a frame. The mesh is not checked.
+/// a frame. Unlike ToMappedMesh(), this function does not check that the mesh is closed.
 /// @throws std::invalid_argument if ToTriangles() or ToSpherePositions() throws this exception
 conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
 

@@ -2,8 +2,8 @@
 /// (Filters/Numerics).
 ///
 /// The numerical core computes in a coordinate frame: coordinates are divided by the unit of the
-/// frame. A view gives access to an array without a copy, and converts each element when it is
-/// read.
+/// frame. A view is an object for reading an array without a copy. Each element is converted when
+/// it is read.
 #ifndef GluePoints_h
 #define GluePoints_h
 
@@ -38,25 +38,25 @@ conformal::CoordinateFrame FrameOf(
 /// matrix.
 conformal::Points ToPoints(vtkPoints* points, const conformal::CoordinateFrame& frame);
 
-/// Return a view of points that converts them to a frame. The view refers to the memory of the
-/// points if their coordinates are floats or doubles. Otherwise, the view refers to `copy`, which
+/// Return a view of points that converts them to a frame. If the coordinates are floats or doubles,
+/// the view refers to the memory of the points. Otherwise, the points are copied to `copy`, which
 /// must outlive the view.
 conformal::PointView ViewPoints(
   vtkPoints* points, const conformal::CoordinateFrame& frame, conformal::Points& copy);
 
-/// Return a view of the numbers of an array with 1 component. The view refers to the memory of the
-/// array if it contains floats or doubles. Otherwise, the view refers to `copy`, which must outlive
-/// the view.
+/// Return a view of the numbers of an array with 1 component. If the numbers are floats or doubles,
+/// the view refers to the memory of the array. Otherwise, the numbers are copied to `copy`, which
+/// must outlive the view.
 conformal::NumberView ViewNumbers(vtkDataArray* array, std::vector<double>& copy);
 
-/// Return a function that returns whether a point is a ghost: hidden, or owned by another piece of
-/// the data. If there are no ghosts, the returned function is empty.
+/// Return a test for ghost points: a function that returns whether a point is hidden, or owned by
+/// another piece of the data. If there are no ghost points, the returned function is empty.
 std::function<bool(conformal::Index)> GhostTest(vtkPointSet* input);
 
-/// Return a view of the vectors of an array with 3 components. The view refers to the memory of the
-/// array if it contains floats or doubles. Otherwise, the view refers to `copy`, which must outlive
-/// the view.
-/// @param[in] what   description of the array in the error message
+/// Return a view of the vectors of an array with 3 components. If the components are floats or
+/// doubles, the view refers to the memory of the array. Otherwise, the vectors are copied to
+/// `copy`, which must outlive the view.
+/// @param[in] what   description of the array, for the error message
 /// @param[in] frame  frame to which the vectors are converted
 /// @throws std::invalid_argument if the array is null or does not have 3 components
 conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conformal::Points& copy,

@@ -11,8 +11,8 @@ namespace glue
 {
 /// Signals by which a process informs all other processes that they must stop. The other processes
 /// may be computing or waiting. Signals require MPI, since only MPI can test for a message without
-/// blocking. With other controllers, and if VTK is built without MPI, available() is false. Then no
-/// other function may be called.
+/// blocking. If the controller does not use MPI, or VTK is built without MPI, available() returns
+/// false. In this case, no other function may be called.
 class ProcessSignals
 {
 public:
@@ -28,15 +28,15 @@ public:
   void askToStop();
 
   /// Return whether another process signaled to stop. The function returns immediately. Messages
-  /// are tested only every few milliseconds, so the function may be called often.
+  /// are tested only every few milliseconds. The function may therefore be called often.
   bool heardStop();
 
   /// Wait until all processes have called this function. While waiting, call `idle` repeatedly. The
   /// function `idle` must not throw exceptions.
   void meet(const std::function<void()>& idle);
 
-  /// Clear all signals to stop. After a signal, all processes must call this function at the same
-  /// point of the program.
+  /// Remove all signals to stop, including messages that are not yet received. After a process
+  /// signaled to stop, all processes must call this function at the same point of the program.
   void settle();
 
 private:

@@ -21,14 +21,14 @@ namespace glue
 /// Processes that run a filter together. Each process has a part of the points. Usually there is a
 /// single process, or no controller.
 ///
-/// If one process has an error or is aborted, all processes stop. Before each sum over all
-/// processes, the processes exchange their states: running, aborted or failed. Therefore, no
-/// process waits for another process that has stopped.
+/// The processes communicate by sums over all processes (Base/Reduce.h). If one process has an
+/// error or is aborted, all processes stop. Before each sum, the processes exchange their states:
+/// running, aborted or failed. Therefore, no process waits for another process that has stopped.
 ///
 /// A process that stops between two sums sends a signal to the other processes (ProcessSignals.h).
 /// The other processes exchange their states at their next progress report. While processes wait
-/// for each other, progress observers are called. Without MPI there are no signals, and all
-/// processes continue to the next sum.
+/// for each other, progress observers are called. Without MPI there are no signals. The other
+/// processes then continue to the next sum before they stop.
 class Processes
 {
 public:
@@ -44,18 +44,20 @@ public:
   int size() const { return this->Size; }
   bool isFirst() const { return this->Rank == 0; }
 
-  /// Return an object that sums over all processes. The returned object must not outlive this
-  /// Processes object.
+  /// Return an object that computes sums over all processes. The returned object must not outlive
+  /// this Processes object.
   conformal::Reduce reduce();
 
-  /// Return the lowest rank on which the condition is true, or -1 if it is false on all ranks.
+  /// Return the lowest rank (process number) on which the condition is true, or -1 if it is false
+  /// on all ranks.
   int firstWith(bool condition);
 
-  /// Return on all ranks the text that one rank passes. The texts of other ranks are ignored.
+  /// Send the text of one rank to all ranks, and return this text on all ranks. The texts of other
+  /// ranks are ignored.
   std::string textOf(int rank, const std::string& text);
 
-  /// Return an execution context like that of RunOf() in Run.h. In addition, the computation stops
-  /// when another process stops.
+  /// Return an execution context (threads and progress callback) like that of RunOf() in
+  /// Glue/Run.h. In addition, the computation stops when another process stops.
   conformal::Run run();
 
   /// Exchange the states of all processes. If several processes have errors, the error of the
@@ -65,7 +67,7 @@ public:
   /// @throws conformal::Aborted if a process was aborted
   void agree(const std::string* error = nullptr);
 
-  /// Signal the other processes to stop and to call agree().
+  /// Signal the other processes to stop the computation. The other processes then call agree().
   void call();
 
 private:
@@ -80,7 +82,7 @@ private:
 };
 
 /// Implement RequestData of a filter on several processes. Call `core` on all processes, and return
-/// the same status on all processes. The function RunCore() in Run.h is for a single process.
+/// the same status on all processes. The function RunCore() in Glue/Run.h is for a single process.
 int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   const std::function<void(Processes&)>& core);
 
@@ -89,7 +91,8 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
 void RequestOwnPieces(
   vtkAlgorithm* self, vtkMultiProcessController* controller, vtkInformationVector** inputs);
 
-/// Return on all ranks the mesh that one rank has. The argument must be empty on the other ranks.
+/// Send the mesh of one rank to all ranks, and return this mesh on all ranks.
+/// @param[in] own  mesh on the rank that has it; empty on all other ranks
 conformal::MappedMesh GatherMesh(const conformal::Reduce& reduce, const conformal::MappedMesh& own);
 
 /// Return on all ranks the mesh of the first rank whose surface has points. The mesh includes the
@@ -97,7 +100,7 @@ conformal::MappedMesh GatherMesh(const conformal::Reduce& reduce, const conforma
 conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
   const conformal::CoordinateFrame& frame, Processes& processes);
 
-/// Distribute a surface that is complete on all ranks.
+/// Keep on each rank only a share of a surface that is complete on all ranks.
 /// @param[in] inPieces  whether each rank keeps a part of the surface. If true, each rank keeps a
 ///   contiguous range of triangles with their points, and global ids are added. If false, rank 0
 ///   keeps the whole surface. The other ranks then keep only the arrays, without values.

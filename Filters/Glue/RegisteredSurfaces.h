@@ -1,5 +1,6 @@
 // Convert surfaces of VTK for registration, and write the results of registration to surfaces.
-// Registration deforms a map to the sphere until it corresponds to the map of another surface.
+// Registration deforms the map of a moving surface to the sphere, until corresponding points of a
+// fixed surface have the same sphere positions.
 #ifndef GlueRegisteredSurfaces_h
 #define GlueRegisteredSurfaces_h
 
@@ -18,11 +19,12 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Names and weights of features: point arrays by which registration matches both surfaces.
+/// Names and weights of features. A feature is a point array by which registration matches both
+/// surfaces, such as the curvature.
 using FeatureList = std::vector<std::pair<std::string, double>>;
 
-/// Surface in the form that the numerical core (Filters/Numerics) reads. Each vertex was made from
-/// one point of the source surface.
+/// Surface converted to a type of the numerical core (Filters/Numerics). Each vertex was made from
+/// one point of the source surface, the surface before the conversion.
 struct SurfaceToRegister
 {
   conformal::RegisteredSurface Core;
@@ -46,8 +48,8 @@ SurfaceToRegister ToSurfaceToRegister(vtkObject* self, vtkPolyData* surface,
 ///   name of the feature.
 std::vector<double> WeightsOf(const FeatureList& features);
 
-/// Compute the sphere positions of all source points after registration. A point without a vertex
-/// moves with the sphere triangle that contains the point.
+/// Compute the sphere positions of all source points after registration. A source point without a
+/// vertex moves with the triangle that contains the point on the sphere.
 /// @param[in] moved  sphere positions of all vertices after registration
 conformal::Points PlacesOfAll(const SurfaceToRegister& moving, const conformal::Points& moved);
 

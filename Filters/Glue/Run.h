@@ -1,5 +1,6 @@
 /// Run the numerical core (Filters/Numerics) in a filter. The functions below provide threads,
-/// progress and error reports, and protect inputs against changes during a run.
+/// progress reports and error reports. They also protect inputs against changes during a run (an
+/// execution of the filter).
 #ifndef GlueRun_h
 #define GlueRun_h
 
@@ -17,11 +18,11 @@ class vtkPointSet;
 
 namespace glue
 {
-/// Return a shallow copy of a data object, or null for null. The copy keeps its arrays during a
-/// run, even if a progress observer empties the object or replaces its arrays.
+/// Return a shallow copy of a data object, or null for null. A progress observer may empty the
+/// object or replace its arrays during a run. The copy keeps the original arrays.
 ///
-/// Outputs also need protection against observers. Build them in local objects, and copy complete
-/// results to the output of the filter.
+/// Observers may also change the output of the filter. Therefore, build results in local objects,
+/// and copy complete results to the output.
 template <typename Data>
 vtkSmartPointer<Data> Held(Data* data)
 {
@@ -55,17 +56,19 @@ bool ReportErrors(vtkObject* self, const std::function<void()>& core);
 
 /// Implement RequestData of a filter. Check the inputs (Checks.h), then call `core`. If `core`
 /// throws an exception, report the exception as an error of the filter. An abort is not reported as
-/// an error. After an error or an abort, empty the outputs, so that no partial result appears to be
-/// complete.
+/// an error. After an error or an abort, empty the outputs, so that no partial result is used as a
+/// complete one.
 /// @return the value that RequestData must return: 0 after an error, otherwise 1
 int RunCore(vtkAlgorithm* self, const std::function<void()>& core);
 
-/// Implement a request that precedes RequestData. Call `request` as RunCore() calls `core`, without
-/// a check of the inputs.
+/// Implement a request that precedes RequestData, such as RequestInformation. Call `request`, and
+/// handle exceptions like RunCore(). The inputs are not checked.
+/// @return the value that the request must return: 0 after an error, otherwise 1
 int RunRequest(vtkAlgorithm* self, const std::function<void()>& request);
 
-/// Warn that an input is empty. If there are several processes, only the first one warns. The first
-/// process gets the complete surface; on other processes, an empty input is normal.
+/// Warn that an input is empty. If there are several processes, only the first process issues the
+/// warning. The first process usually has the complete surface. On other processes, an empty input
+/// is normal.
 void WarnOfEmptyInput(vtkObject* self, const char* message);
 
 /// Return whether an input has no points. If it has no points, call WarnOfEmptyInput().

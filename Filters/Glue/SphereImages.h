@@ -1,5 +1,6 @@
-// Read and write images of the sphere. The parameters of the projection from the sphere to the
-// image are stored in field data.
+// Read and write images of the sphere. A pixel shows the point of a surface that is mapped to one
+// direction. The parameters of the projection from the sphere to the image are stored in field
+// data.
 #ifndef GlueSphereImages_h
 #define GlueSphereImages_h
 
@@ -28,8 +29,8 @@ void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image);
 /// @throws std::invalid_argument if an array is missing or invalid
 conformal::SphereImage ToSphereImage(vtkFieldData* data);
 
-/// Set the extent, origin and spacing of an image in the pipeline information. The position of each
-/// pixel is the texture coordinate (s, t) of the pixel's center.
+/// Set the extent, origin and spacing of an image in the pipeline information. The image fills the
+/// unit square. The center of each pixel is at its texture coordinates (s, t).
 /// @param[in] size  width and height in pixels
 /// @throws std::invalid_argument if the image has no pixels, or more than 2147483647
 void SetImageInformation(vtkInformation* info, const int size[2]);
@@ -51,21 +52,23 @@ vtkDataArray* AllocatePixels(vtkImageData* image, vtkInformation* info, vtkDataA
 /// @param[in] pixels  point array of the image: the pixels to copy
 conformal::Picture ToPicture(vtkImageData* image, vtkDataArray* pixels);
 
-/// Allocate the array "OutsideSurface" of an image: one mark for each pixel. The function that
-/// PixelPainter() returns sets the marks.
+/// Allocate the array "OutsideSurface" of an image: one mark for each pixel. A mark is 1 if the
+/// pixel shows no point of the surface, else 0. The marks are set by the function that
+/// PixelPainter() returns.
 vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image);
 
-/// Return whether an array contains integers, so that values written to it must be rounded.
+/// Return whether an array contains integers. If so, values must be rounded before they are written
+/// to the array.
 bool HoldsWholeNumbers(vtkDataArray* array);
 
 /// Return the point array with the given name. If the name is empty, return the active scalars.
 /// @throws std::invalid_argument if the array does not exist
 vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name);
 
-/// Return a function that writes pixels of an image. The function interpolates `values` at the
-/// surface point that a pixel shows, and writes the result to `pixels`. If a pixel shows no
-/// surface, the function writes 0 to `pixels` and sets the mark in `holes`. The three arrays must
-/// outlive the function.
+/// Return a function that writes pixels of an image. For each pixel, the function interpolates
+/// `values` at the surface point that the pixel shows. The result is written to `pixels`. If the
+/// pixel shows no surface point, the function writes 0 to `pixels`, and 1 to `holes`. The three
+/// arrays must outlive the function.
 conformal::PixelSink PixelPainter(
   vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes);
 }

@@ -1,5 +1,5 @@
-/// Compute nodes and weights of Gauss-Legendre quadrature, by Newton iteration as in
-/// \cite Hale2013.
+/// Compute nodes and weights of Gauss-Legendre quadrature (numerical integration), by Newton
+/// iteration as in \cite Hale2013.
 
 #ifndef ConformalGaussLegendre_h
 #define ConformalGaussLegendre_h

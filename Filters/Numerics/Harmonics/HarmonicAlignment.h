@@ -1,6 +1,6 @@
 /// Rotate surfaces to a common orientation. Each surface is given by coefficients of spherical
-/// harmonics, which define its positions as functions on the unit sphere. Alignment by the
-/// ellipsoid of degree 1 follows \cite Brechbuehler1995.
+/// harmonics, which define its positions as functions on the unit sphere. The harmonics of degree 1
+/// define an ellipsoid. Alignment by the axes of this ellipsoid follows \cite Brechbuehler1995.
 
 #ifndef ConformalHarmonicAlignment_h
 #define ConformalHarmonicAlignment_h
@@ -18,9 +18,9 @@ namespace conformal
 Columns rotateHarmonics(
   const Columns& coefficients, const Eigen::Matrix3d& rotation, const Run& run = {});
 
-/// Rigid motion of a surface, and rotation of the surface's map to the sphere. Let s be a surface
-/// point that is mapped to the sphere point p. Alignment moves s to SurfaceRotation (s - Center).
-/// The moved point is mapped to MapRotation p.
+/// Result of an alignment: rigid motion of a surface, and rotation of the surface's map to the
+/// sphere. Let s be a surface point that is mapped to the sphere point p. Alignment moves s to
+/// SurfaceRotation (s - Center). The moved point is mapped to MapRotation p.
 struct HarmonicAlignment
 {
   Eigen::Matrix3d MapRotation = Eigen::Matrix3d::Identity();
@@ -31,25 +31,27 @@ struct HarmonicAlignment
 /// Align a surface with the coordinate axes by its ellipsoid, as in \cite Brechbuehler1995 and in
 /// the software SPHARM-PDM. The ellipsoid is the surface that the harmonics of degree 1 define.
 ///
-/// The center moves to the origin. In space, the longest, middle and shortest axis of the ellipsoid
-/// become the x, y and z axis. On the sphere, the ends of these axes are also mapped to x, y and z.
+/// The surface is moved so that the center of the ellipsoid is at the origin. The longest, middle
+/// and shortest axis of the ellipsoid become the x, y and z axis. The map is rotated so that the
+/// ends of these axes are mapped to the x, y and z axis of the sphere.
 ///
-/// Each axis has two ends. On the longest and the middle axis, the positive end is the one to which
-/// the surface extends farther. This is determined by the third moment: the integral over the
-/// sphere of the cubed coordinate along the axis. If the third moment is zero, the positive end is
-/// chosen by its position on the sphere. The coordinate of largest magnitude of this position is
-/// positive. If two axes have equal lengths, their order is arbitrary.
+/// Each axis has two ends, one of which becomes the positive end. On the longest and the middle
+/// axis, the positive end is the one to which the surface extends farther. This end is found by the
+/// third moment, the integral over the sphere of the cubed coordinate along the axis. If the third
+/// moment is zero, the positive end is chosen by its position on the sphere before the rotation.
+/// The coordinate of largest magnitude of this position is positive. The shortest axis completes a
+/// right-handed frame. If two axes have equal lengths, their order is arbitrary.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 
 /// Align a surface with a reference surface by the axes of their ellipsoids. Both surfaces may have
 /// any orientation.
 ///
-/// Candidates are the four rotations that align the axes of both ellipsoids. Two axes are similar
-/// if their lengths differ by less than a tenth. If two axes of the surface are similar, rotations
-/// about the third axis are also candidates. If all three axes are similar, all rotations are
-/// candidates. The candidate with the maximum correlation between the surfaces is selected and
-/// refined. Correlations are computed with harmonics up to degree 12.
+/// Candidates are the four rotations that align the axes of both ellipsoids. Two axes are called
+/// similar if their lengths differ by less than a tenth. If two axes of the surface are similar,
+/// rotations about the third axis are also candidates. If all three axes are similar, rotations of
+/// any kind are candidates. The candidate with the maximum correlation between the positions of
+/// both surfaces is selected and refined. Correlations are computed with harmonics up to degree 12.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of the positions of the surface
 /// @param[in] reference     coefficients of the reference; its degree L may be different
 /// @param[in] movesSurface  whether to move the surface as well as its map. If false, only the map

@@ -1,8 +1,8 @@
 /// Fit spherical harmonics to values at the vertices of a surface that is mapped to the sphere.
 ///
-/// Own construction, not from a publication: products with the matrix of the fit are computed on a
-/// quadrature grid. Unlike the method of \cite Brechbuehler1995, this needs no dense system of
-/// equations.
+/// Own construction, not from a publication: the equations of the fit are solved by iterations.
+/// Each iteration multiplies functions on a quadrature grid, a grid of directions for integrals
+/// over the sphere. Unlike the method of \cite Brechbuehler1995, this method needs no dense matrix.
 
 #ifndef ConformalHarmonicFit_h
 #define ConformalHarmonicFit_h
@@ -18,16 +18,17 @@ namespace conformal
 ///
 /// A triangle is small if its sides on the sphere are at most pi / L, half of the shortest
 /// wavelength. A small triangle is represented by its vertices, each with a third of the area. If
-/// all triangles are small, values of a function of degree L reproduce this function up to
-/// rounding. In larger triangles, vertices alone would leave the functions undetermined. Larger
-/// triangles are therefore also sampled inside, with linearly interpolated values.
+/// all triangles are small, a fit to the values of a function of degree L reproduces this function
+/// up to rounding. In larger triangles, vertices alone would leave the functions undetermined.
+/// Larger triangles are therefore also sampled inside, with linearly interpolated values.
 ///
-/// The normal equations are solved by conjugate gradients \cite Hestenes1952. Multiplication by the
-/// matrix of these equations is a multiplication of functions by an area density on the sphere.
-/// Only the part of the density up to degree 2 L affects the result. Therefore, products are
-/// computed exactly on a Gauss-Legendre grid, and no dense matrix is formed. The cost is O(#V L^2)
-/// once, and O(L^3) for each of about 20 iterations. The preconditioner is a multiplication by the
-/// inverse of the area density of the triangles.
+/// The normal equations are solved by conjugate gradients \cite Hestenes1952. The area density is
+/// the area of the surface per area of the sphere. The matrix of the equations maps the
+/// coefficients of a function to the coefficients of the function times the area density. Only the
+/// part of the density up to degree 2 L affects the product. Therefore, products are computed
+/// exactly on a Gauss-Legendre grid (HarmonicGrid.h), and no dense matrix is formed. The cost is
+/// O(#V L^2) once, and O(L^3) for each of about 20 iterations. The preconditioner divides a
+/// function by the area density of the triangles.
 ///
 /// Implementation note: the software SPHARM-PDM, by M. Styner and others, Insight Journal 1071
 /// (2006), solves dense equations instead. There, all vertices have equal weights.
@@ -39,7 +40,7 @@ namespace conformal
 /// @return (L + 1)^2 by #C coefficients, see SphericalHarmonics.h
 /// @throws std::invalid_argument if the surface is open or has zero area, or if its map does not
 ///   cover the sphere once
-/// @throws std::invalid_argument if sums of values overflow
+/// @throws std::invalid_argument if sums of the values exceed the range of doubles
 /// @throws NumericalFailure if the iteration does not converge
 /// @throws Aborted
 Columns fitHarmonics(

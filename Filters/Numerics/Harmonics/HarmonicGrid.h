@@ -17,8 +17,9 @@ namespace conformal
 class HarmonicGrid
 {
 public:
-  /// Make a grid by which functions up to the given degree are integrated exactly. A function has
-  /// degree D if it is a sum of spherical harmonics up to degree D.
+  /// A function has degree D if it is a sum of spherical harmonics up to degree D. Make a grid that
+  /// integrates functions up to the given degree exactly, by sums over its directions. This degree
+  /// is called the degree of the grid.
   explicit HarmonicGrid(int degree);
 
   /// Return the number of directions.
@@ -34,11 +35,12 @@ public:
   /// @return size() by #C values
   Columns synthesize(const Columns& coefficients, const Run& run = {}) const;
 
-  /// Integrate values times harmonics over the sphere. For a function of degree D, the result is
-  /// exact if D + L is at most the degree of the grid.
+  /// Integrate values times harmonics over the sphere. If the values are those of a function of
+  /// degree D, and D + L is at most the degree of the grid, the integrals are exact.
   /// @param[in] values  size() by #C values in the directions of the grid
   /// @param[in] degree  maximum degree L of the harmonics
-  /// @return (L + 1)^2 by #C integrals: the coefficients of the functions
+  /// @return (L + 1)^2 by #C integrals. If they are exact, they are the coefficients of the
+  ///   functions.
   Columns analyze(const Columns& values, int degree, const Run& run = {}) const;
 
 private:

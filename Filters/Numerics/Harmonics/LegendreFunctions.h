@@ -13,10 +13,11 @@ namespace conformal
 /// Number of heights at which functions are evaluated together, for vectorization. A height is the
 /// z coordinate of a point on the unit sphere.
 constexpr int LegendreLanes = 64;
-/// One number for each of the heights.
+/// One number for each of LegendreLanes heights.
 using LegendreLane = Eigen::Array<double, LegendreLanes, 1>;
 
-/// Values of the functions of one order m at LegendreLanes heights. Column l - m has degree l.
+/// Values of the functions of one order m at LegendreLanes heights. Column l - m contains the
+/// values of the function of degree l.
 using LegendreBlock = Eigen::Matrix<double, LegendreLanes, Eigen::Dynamic>;
 
 /// Associated Legendre functions P_lm of degree l and order m, without the Condon-Shortley phase.
@@ -25,8 +26,9 @@ using LegendreBlock = Eigen::Matrix<double, LegendreLanes, Eigen::Dynamic>;
 /// sphere.
 ///
 /// For each order m, a recursion computes functions of ascending degree, beginning with P_mm. The
-/// recursion is stable. Near the poles, P_mm can be too small for doubles even if functions of
-/// higher degree are not. There, values are scaled by a power of two until they are large enough.
+/// recursion is stable: rounding errors do not grow. Near the poles, P_mm can be too small for
+/// doubles even if functions of higher degree are not. There, the recursion computes values times a
+/// power of two, until the values themselves are large enough for doubles.
 class LegendreFunctions
 {
 public:
@@ -40,13 +42,13 @@ public:
   /// @param[in] order      order m of the functions
   /// @param[in] heights    heights z in [-1, 1]
   /// @param[in] logRadii   logarithms to base 2 of sqrt(1 - z^2); minus infinity at the poles
-  /// @param[out] values    one column of values for each degree. The matrix has at least this
-  ///   number of columns; further columns do not change.
+  /// @param[out] values    one column of values for each degree. The matrix must have at least
+  ///   degree() - order + 1 columns; further columns do not change.
   void evaluate(int order, const LegendreLane& heights, const LegendreLane& logRadii,
     LegendreBlock& values) const;
 
 private:
-  std::vector<double> LogSectors; ///< for each order m, log2 of P_mm at z = 0
+  std::vector<double> LogSectors; ///< for each order m, logarithm to base 2 of P_mm at z = 0
 };
 }
 

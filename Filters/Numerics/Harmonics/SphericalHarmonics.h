@@ -1,7 +1,7 @@
 /// Evaluate real spherical harmonics in arbitrary directions.
 ///
 /// Own construction, not from a publication: harmonics are summed directly, for blocks of
-/// directions. Fast transforms would need directions on a grid (HarmonicGrid.h).
+/// directions. The fast transforms of HarmonicGrid.h are only possible for directions on a grid.
 
 #ifndef ConformalSphericalHarmonics_h
 #define ConformalSphericalHarmonics_h
@@ -19,8 +19,8 @@ constexpr int MaximumHarmonicDegree = 1024;
 /// Rows are sorted by degree, then by order.
 ///
 /// The harmonics are real, orthonormal on the unit sphere, and without the Condon-Shortley phase.
-/// Let z be the height of a direction, and phi = atan2(y, x) its longitude. Let P_lm be the
-/// functions of LegendreFunctions.h. The harmonic of degree l and order m is:
+/// Let (x, y, z) be a direction, and phi = atan2(y, x) its longitude. Let P_lm be the functions of
+/// LegendreFunctions.h. The harmonic of degree l and order m is:
 ///
 ///     Y_lm = P_lm(z) cos(m phi)    for m >= 0
 ///     Y_lm = P_l|m|(z) sin(|m| phi)  for m < 0.
@@ -39,8 +39,8 @@ constexpr Index numberOfHarmonics(int degree)
   return static_cast<Index>(degree + 1) * (degree + 1);
 }
 
-/// Return the maximum degree L of the harmonics to which a number of coefficients belongs. This
-/// number must be (L + 1)^2.
+/// Return the maximum degree L of a function with the given number of coefficients, which must be
+/// (L + 1)^2.
 /// @throws std::invalid_argument if the number is not (L + 1)^2 for an integer L in [0,
 ///   MaximumHarmonicDegree]
 int degreeOfHarmonics(Index numberOfCoefficients);

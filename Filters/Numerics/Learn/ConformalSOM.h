@@ -18,34 +18,37 @@ namespace conformal
 /// the sphere.
 ///
 /// The mesh is geodesic or adaptive (options.MeshType). A geodesic mesh has the triangles of a
-/// geodesic sphere (a subdivided icosahedron). Its map consists of the network positions of its
-/// vertices (neurons) on this sphere. An adaptive mesh has triangles of about equal size all over
-/// the surface. Its map is computed as a conformal map (GlobalConformalMap.h).
+/// geodesic sphere (a subdivided icosahedron). Each vertex (neuron) is mapped to its position on
+/// the geodesic sphere, called network position. An adaptive mesh has triangles of about equal size
+/// all over the surface. After learning, a conformal map of this mesh is computed
+/// (GlobalConformalMap.h).
 ///
 /// Implementation note: samples are shifted to their centroid and scaled to a maximum radius of 1.
-/// The constants of \cite Liou2008 refer to these coordinates. A geodesic mesh starts from the unit
-/// sphere, unless a start mesh is given. An adaptive mesh may start from other surfaces
-/// (StartSearch.h).
+/// The constants of \cite Liou2008 refer to these coordinates. Learning of a geodesic mesh begins
+/// with the unit sphere, unless a start mesh is given. Learning of an adaptive mesh may begin with
+/// other surfaces (StartSearch.h).
 ///
-/// Implementation note: in Online mode (options.TrainingMode), each step moves neurons around a
-/// reference point r on the sphere. Neurons farther than 4 sigma from r are not moved, which
-/// reduces the cost. Here sigma is the neighborhood radius of Eq. 3 in \cite Liou2008. The factors
-/// of these neurons in Eq. 3 are below 3.4e-4. Documentation/Filters.md describes the effect on
-/// results.
+/// Implementation note: in Online mode (options.TrainingMode), each step moves neurons whose
+/// network positions are near a reference point r on the sphere. Let sigma be the neighborhood
+/// radius of Eq. 3 in \cite Liou2008. To reduce the cost, neurons farther than 4 sigma from r are
+/// not moved. Eq. 3 would move these neurons by less than 3.4e-4 of their distance from the sample.
+/// Documentation/Filters.md describes the effect on results.
 /// @param[in] samples  at least one sample
-/// @param[in] mesh     start mesh, or null: a closed mesh of genus zero in the coordinates of the
-///   input points.
+/// @param[in] mesh     start mesh, or null. A start mesh is closed, of genus zero, and in the
+///   coordinates of the input points.
 ///
-///   - If the start mesh has SpherePositions, only its surface is used. The vertices may be at any
-///     positions near the samples. In Online mode, the start mesh gives the initial positions of
-///     the neurons.
+///   - If the start mesh has SpherePositions, its vertices need not be samples, but must be near
+///     the samples. Batch mode uses only the surface of the start mesh, not the map. In Online
+///     mode, each neuron starts at a point of the start mesh: the point that is mapped to the
+///     network position of the neuron.
 ///   - If the start mesh has no SpherePositions, its vertices must be the samples. Its triangles
 ///     must be counter-clockwise seen from outside. Online mode requires SpherePositions.
-///   - In Batch mode, a start mesh requires an adaptive mesh. If MeshType is Automatic and the
-///     samples lie in a plane, the start mesh is ignored.
+///   - In Batch mode, a start mesh is not allowed if options.MeshType is Geodesic. If MeshType is
+///     Automatic and the samples lie in a plane, the start mesh is ignored.
 /// @throws std::invalid_argument if there are no samples, or an option is out of range
 /// @throws std::invalid_argument if the start mesh is not closed and of genus zero
-/// @throws std::invalid_argument if a geodesic mesh is requested with a start other than the sphere
+/// @throws std::invalid_argument if options.StartingShape is Hull or Mesh, and a geodesic mesh is
+///   requested by MeshType Geodesic or by Online mode
 /// @throws Aborted
 /// @post The result depends only on the arguments, bit by bit, not on the number of threads. If the
 ///   points are scaled by a power of two, the resulting positions are scaled by this factor, bit by

@@ -2,8 +2,8 @@
 /// have the meaning and names of \cite Liou2008.
 ///
 /// In this paper, a sample point is a pattern, and a vertex of the learned mesh is a neuron. The
-/// position of a neuron in space is its weight vector. The position of a neuron on the sphere is
-/// its network position.
+/// position of a neuron in space is its weight vector. The network is a mesh of the neurons on the
+/// unit sphere. The position of a neuron on this sphere is its network position.
 
 #ifndef ConformalConformalSOMOptions_h
 #define ConformalConformalSOMOptions_h
@@ -22,7 +22,7 @@
 
 namespace conformal
 {
-/// Algorithm by which the mesh is learned.
+/// Algorithm of training: the mesh is learned from the points step by step.
 enum class TrainingMode
 {
   Batch, ///< many patterns per step, on finer and finer networks; then a least-squares fit
@@ -40,14 +40,16 @@ enum class MeshType
   Adaptive
 };
 
-/// Surface from which an adaptive mesh is learned.
+/// Start surface: the closed surface with which the learning of an adaptive mesh begins. The
+/// points' own mesh is a mesh whose vertices are the points. A hull is a closed surface around the
+/// points, made by GenusZeroHull.h.
 enum class StartingShape
 {
-  /// The points' own mesh if one is given, else the sphere. If the learned mesh has defects or
-  /// spans gaps between limbs, a hull of the points is tried.
+  /// The points' own mesh if one is given, else the sphere. If the resulting mesh has defects or
+  /// spans gaps between limbs, learning is repeated with other start surfaces (StartSearch.h).
   Automatic,
   Sphere, ///< always the unit sphere, as in \cite Liou2008
-  Hull,   ///< a closed surface around the points (GenusZeroHull.h)
+  Hull,   ///< a hull of the points
   Mesh    ///< always the points' own mesh, which must be given
 };
 
@@ -66,13 +68,16 @@ struct ConformalSOMOptions
   /// Method by which a hull is made, if learning starts from a hull.
   conformal::HullMethod HullMethod = conformal::HullMethod::Automatic;
 
-  /// Reference point of a pattern, the center of its neighborhood on the network. In Batch mode,
-  /// reference points are used while learning from the sphere, not in the least-squares fit.
+  /// Kind of reference point. A pattern moves the neurons near its reference point, a point on the
+  /// sphere of the network. In Batch mode, reference points are used while learning from the
+  /// sphere, but not in the least-squares fit.
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
 
-  OnlineOptions Online;        ///< options of Online mode
-  BatchOptions Batch;          ///< options of Batch mode
-  FitOptions Fit;              ///< options of the least-squares fit, the last stage of Batch mode
+  OnlineOptions Online; ///< options of Online mode
+  BatchOptions Batch;   ///< options of Batch mode
+  /// Options of the least-squares fit, the last stage of Batch mode. The fit moves vertices toward
+  /// the points.
+  FitOptions Fit;
   unsigned int RandomSeed = 1; ///< seed of all random numbers
   StageObserver Observer;      ///< function called with each intermediate surface; may be empty
 };
@@ -81,17 +86,20 @@ struct ConformalSOMOptions
 struct StartReport
 {
   bool FromHull = false; ///< whether the start surface was a hull of the points
-  /// Whether the start surface was a given mesh: the points' own mesh or another mesh.
+  /// Whether the start surface was a mesh passed to trainConformalSOM().
   bool FromMesh = false;
   /// Method by which the hull was made. Automatic if the start surface was not a hull.
   conformal::HullMethod Hull = HullMethod::Automatic;
   /// Whether the normals of the samples were used to make the hull.
   bool NormalsUsed = false;
-  bool HullLeaks = false; ///< whether the points enclose nothing at the hull's grid spacing
-  /// Fraction of the hull's area on cuts through handles of the object. If the fraction is above 0,
-  /// the object is not of genus zero, or limbs touch each other.
+  /// Whether holes between the points are about as wide as the cavity behind them. The inside of
+  /// the hull is then uncertain. Computed only for a hull by method Distance.
+  bool HullLeaks = false;
+  /// Fraction of the hull's area on cuts that open handles (like that of a cup), in [0, 1]. If the
+  /// fraction is above 0, the object is not of genus zero, or limbs touch each other.
   double CutFraction = 0.0;
-  /// Number of samples far from the hull. These samples are outliers or inner parts of the object.
+  /// Number of samples outside of the hull and not near it. These samples are outliers, or separate
+  /// parts of the object.
   Index NumberOfSamplesOutside = 0;
 };
 
@@ -101,11 +109,12 @@ struct ConformalSOMResult
   : FittedMesh
   , StartReport
 {
-  std::vector<double> Supported; ///< #N values in [0, 1], see supportOfVertices()
-  SurfaceQuality Quality;        ///< quality by the samples; computed only in Batch mode
-  int NumberOfStarts = 1;        ///< number of start surfaces tried; the best result is returned
-  /// Whether the conformal map can be represented by doubles. If false, SpherePositions are less
-  /// conformal.
+  /// #N values in [0, 1]: support of each vertex by nearby samples, see supportOfVertices().
+  std::vector<double> Supported;
+  SurfaceQuality Quality; ///< quality by the samples; computed only in Batch mode
+  int NumberOfStarts = 1; ///< number of start surfaces tried; the best result is returned
+  /// Whether SpherePositions are a conformal map. If false, some triangles of the conformal map
+  /// would be too small for doubles, and SpherePositions are less conformal.
   bool ConformalMapFits = true;
 };
 }

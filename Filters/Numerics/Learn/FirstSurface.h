@@ -1,8 +1,9 @@
-/// Make a start surface: the closed surface that is fitted to samples to learn an adaptive mesh.
-/// StartSearch.h selects among the functions of this file.
+/// Make a start surface, the closed surface with which learning begins. To learn an adaptive mesh
+/// (with triangles of equal size), the start surface is fitted to samples. StartSearch.h selects
+/// among the functions of this file.
 ///
-/// Own construction, not from a publication: there are several ways to make a start surface. No
-/// single start surface suits all shapes.
+/// Own construction, not from a publication: a start surface is made in one of three ways: from a
+/// sphere, from a hull, or from a given mesh. No single start surface suits all shapes.
 
 #ifndef ConformalFirstSurface_h
 #define ConformalFirstSurface_h
@@ -26,19 +27,20 @@ struct FirstSurface : AdaptiveStart
   StartReport Report; ///< properties of the start surface
 };
 
-/// Learn a start surface from the unit sphere, on geodesic networks of increasing frequency. The
-/// finest network has a quarter of the neurons of the learned mesh. The surface is not fitted by
-/// least squares.
+/// Learn a start surface from the unit sphere, by batch training on geodesic networks of increasing
+/// frequency (BatchTraining.h). The neurons of the finest network are the vertices of the start
+/// surface. The number of these vertices is about a quarter of that of the mesh to learn.
 /// @param[in] observer  function called after each network; may be empty
-/// @throws NumericalFailure if a network spans parts without samples, or has many obtuse triangles
+/// @throws NumericalFailure if a surface spans parts without samples, or has many obtuse triangles
 ///   because it is stretched over limbs. If options.StartingShape is Sphere, this exception is not
 ///   thrown.
 /// @throws Aborted
 FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run = {});
 
-/// Make a start surface from a hull of the samples (GenusZeroHull.h). The grid spacing is adapted
-/// to the density of the samples, but is not finer than the learned mesh requires.
+/// Make a start surface from a hull, a closed surface around the samples (GenusZeroHull.h). The
+/// hull is computed on a grid. The grid spacing is adapted to the density of the samples, and to
+/// the edge length of the mesh to learn.
 /// @param[in] method  method by which the hull is made
 /// @throws Aborted
 FirstSurface firstSurfaceFromHull(const TrainingSamples& samples,
@@ -46,17 +48,17 @@ FirstSurface firstSurfaceFromHull(const TrainingSamples& samples,
 
 /// Make a start surface from a mesh by orienting its triangles outward.
 /// @param[in] mesh   closed mesh in the samples' unit
-/// @param[in] guide  surface that guides the fit between samples (LeastSquaresFit.h), or null. A
-///   guide is given if the samples are vertices of the mesh.
+/// @param[in] guide  surface to which vertices without samples are pulled (LeastSquaresFit.h), or
+///   null. A guide is given if the samples are vertices of the mesh.
 /// @throws std::invalid_argument if the mesh is not closed and of genus zero, or has a coordinate
 ///   above 4 in magnitude
 /// @throws Aborted
 FirstSurface firstSurfaceFromMesh(
   const Mesh& mesh, std::shared_ptr<const TriangleTree> guide, const Run& run = {});
 
-/// Throw an exception if a mesh, in the samples' unit, has a coordinate above 4 in magnitude. All
-/// samples would then be closest to one or two vertices of the mesh. In this unit, the center of
-/// the samples is the origin, and their maximum radius is 1.
+/// Throw an exception if a mesh in the samples' unit has a coordinate above 4 in magnitude. In the
+/// samples' unit, the center of the samples is the origin, and their maximum radius is 1. If a mesh
+/// were much larger, all samples would be closest to one or two of its vertices.
 /// @param[in] mesh  vertices of the mesh, #V by 3
 /// @throws std::invalid_argument
 void requireNear(const Points& mesh);

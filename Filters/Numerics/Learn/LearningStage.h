@@ -1,7 +1,7 @@
 /// Report intermediate surfaces of learning.
 ///
 /// Own construction, not from a publication: each surface is reported with measures of its quality.
-/// The measures show at which stage learning failed.
+/// If learning fails, these measures show at which stage.
 
 #ifndef ConformalLearningStage_h
 #define ConformalLearningStage_h
@@ -14,18 +14,26 @@
 
 namespace conformal
 {
-/// Intermediate surface of learning, in the coordinates of the input points. Learning may be tried
-/// from several start surfaces, and passes through several stages for each start.
+/// Intermediate surface of learning, in the coordinates of the input points. Learning begins with a
+/// start surface, and passes through several stages. Learning may be repeated with other start
+/// surfaces.
 struct LearningStage
 {
   /// Number of the start surface, counted from 1. Start surfaces that were abandoned are counted,
   /// too.
   int StartNumber = 1;
-  std::string Start;        ///< name of the start surface, such as "sphere" or "hull"
-  std::string Name;         ///< name of the stage, such as "level 8", "turn 1", "fit" or "kept"
-  Mesh Surface;             ///< closed surface of genus zero
-  SurfaceQuality Quality;   ///< quality of the surface; all 0 if the points lie in a plane
-  double DefectScore = 0.0; ///< defectScore() of Quality; a surface with a score above 1 is bad
+  std::string Start; ///< name of the start surface, such as "sphere" or "hull"
+  /// Name of the stage, for example:
+  /// - "level 8": after training on the network of frequency 8,
+  /// - "turn 1": after the first fit that is followed by remeshing,
+  /// - "fit": after the final fit,
+  /// - "kept": the best result of all start surfaces.
+  std::string Name;
+  Mesh Surface;           ///< closed surface of genus zero
+  SurfaceQuality Quality; ///< quality of the surface; all 0 if the points lie in a plane
+  /// Largest ratio of a defect to its tolerance, see defectScore(). A surface with a score above 1
+  /// is bad.
+  double DefectScore = 0.0;
 };
 
 /// Function called with each stage, on the thread that started learning.

@@ -20,29 +20,31 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// Learn in Batch mode (options.TrainingMode) from one or more start surfaces, and return the best
 /// result.
 ///
-/// Each learned mesh is evaluated (SurfaceQuality.h). A mesh is bad if a defect exceeds its
-/// tolerance. Webs are spurious membranes that span gaps between limbs. Only meshes learned from
-/// the sphere are tested for webs. A result is good if the mesh is not bad and has no webs.
+/// Each learned mesh is evaluated (SurfaceQuality.h). A mesh is bad if one of its defects exceeds
+/// the tolerance for this defect. Webs are spurious membranes that span gaps between limbs. Only
+/// meshes learned from the sphere are tested for webs. A result is good if its mesh is not bad and
+/// has no webs.
 ///
-/// For StartingShape Automatic, start surfaces are tried in this order until a result is good.
-/// Other values of StartingShape restrict the start surfaces as stated:
+/// For StartingShape Automatic, the following start surfaces are tried in this order until a result
+/// is good. For other values of StartingShape, only some of the start surfaces are tried, as stated
+/// in the list:
 /// - Given mesh: if a start mesh with SpherePositions is given, this mesh is the only start
 ///   surface.
 /// - Own mesh: a given start mesh without SpherePositions is the samples' own mesh. This mesh is
 ///   the first start surface.
-/// - Sphere: only for StartingShape Automatic or Sphere. A geodesic mesh has no other start
-///   surface.
-/// - Hull: only for StartingShape Automatic or Hull. If an adaptive mesh is learned from points of
-///   affine rank below 3, the hull replaces the sphere. The affine rank is 2 for points in a plane,
-///   and 1 for points on a line.
+/// - Sphere: only for StartingShape Automatic or Sphere. For a geodesic mesh, the sphere is the
+///   only start surface.
+/// - Hull (closed surface around the samples): only for StartingShape Automatic or Hull. If an
+///   adaptive mesh is learned from samples of affine rank below 3, the hull replaces the sphere.
+///   The affine rank is 2 for samples in a plane, and 1 for samples on a line.
 /// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad. The
 ///   hull is made by the method that was not used before.
 ///
-/// Of two results, the better one has the lower defectScore(). However, any later result replaces a
-/// result with webs. If the affine rank is below 3, results cannot be evaluated, and the first one
-/// is returned.
+/// Of two results, the better one has the lower defectScore(). However, a result with webs is
+/// replaced by the next result, whatever the scores. If the affine rank is below 3, results cannot
+/// be evaluated, and the first one is returned.
 ///
-/// If HullMethod is Automatic, the hull is made by chooseHull() of GenusZeroHull.h.
+/// If HullMethod is Automatic, the method is selected by chooseHull() of GenusZeroHull.h.
 ///
 /// @param[in] mesh  start mesh or null, see trainConformalSOM()
 /// @return the best result, with positions in the samples' unit (maximum radius 1). Only a geodesic

@@ -1,9 +1,11 @@
 /// Replace the meshes of several surfaces by one common mesh, so that points with equal ids
-/// correspond. Each surface has a map to the sphere. The maps are registered: equal directions show
-/// corresponding points.
+/// correspond. Each surface has a map to the unit sphere, which gives every surface point a
+/// direction. The maps are registered: points of different surfaces with the same direction
+/// correspond.
 ///
-/// Own construction, not from a publication: every surface is sampled in the directions of one
-/// common mesh of the sphere. This yields corresponding points without any further search.
+/// Own construction, not from a publication: the vertices of one mesh of the sphere are directions
+/// for all surfaces. The surface points with these directions correspond, without any further
+/// search.
 
 #ifndef ConformalConsistentRemesh_h
 #define ConformalConsistentRemesh_h
@@ -20,8 +22,8 @@ namespace conformal
 enum class RemeshMeshType
 {
   Geodesic, ///< geodesic sphere (a subdivided icosahedron), with equal density everywhere
-  /// The points are spread evenly over the surfaces. Their density on the sphere is the mean over
-  /// all surfaces.
+  /// The mesh is adapted to all surfaces. For each surface, evenly spread surface points have some
+  /// density on the sphere. The points of the common mesh have the mean of these densities.
   Adaptive
 };
 
@@ -29,29 +31,31 @@ enum class RemeshMeshType
 struct ConsistentRemeshOptions
 {
   RemeshMeshType MeshType = RemeshMeshType::Adaptive;
-  int Frequency = 45; ///< frequency f for Geodesic; the mesh has 10 f^2 + 2 points
-  /// Requested number of points for Adaptive. The result differs from this number by at most 2
-  /// percent.
+  /// If MeshType is Geodesic: frequency f of the mesh, which has 10 f^2 + 2 points.
+  int Frequency = 45;
+  /// If MeshType is Adaptive: requested number of points. The number of points of the result
+  /// differs from this number by at most 2 percent.
   Index NumberOfPoints = 20000;
 };
 
-/// Surfaces sampled on a common mesh. #S is the number of surfaces and #V the number of points of
-/// the common mesh.
+/// Points of all surfaces in the directions of a common mesh. #S is the number of surfaces and #V
+/// the number of points of the common mesh.
 struct ConsistentMeshes
 {
-  /// Common mesh: unit vectors and triangles. The triangles are counter-clockwise on the surfaces
-  /// seen from outside.
+  /// Common mesh: unit vectors (directions) and triangles. Seen from outside, the triangles are
+  /// counter-clockwise on the surfaces. If the maps are mirrored (reverse the orientation), the
+  /// triangles are clockwise on the sphere.
   Mesh Sphere;
-  std::vector<Points> Positions; ///< #S, each #V by 3: surface points in the directions of Sphere
-  /// #S matrices, one for each surface: weights of the surface's vertices for each of the #V
-  /// points.
+  std::vector<Points> Positions; ///< #S, each #V by 3: surface points with the directions of Sphere
+  /// #S matrices, one for each surface. Row i contains the interpolation weights of the surface's
+  /// vertices at point i of the common mesh.
   std::vector<ResampleWeights> Weights;
 };
 
-/// Sample all surfaces in the directions of one mesh of the sphere.
+/// Find the points of all surfaces in the directions of one mesh of the sphere.
 ///
-/// For each direction, the triangle of the surface's map that contains the direction is found. The
-/// position is interpolated linearly in this triangle.
+/// For each direction and each surface, find the triangle that contains the direction on the
+/// sphere. The position of the surface point is interpolated linearly in this triangle.
 /// @param[in] surfaces  #S closed surfaces with maps to the sphere, at least one. Isolated points
 ///   are ignored.
 /// @throws std::invalid_argument if a surface is open, or its map does not cover the sphere exactly

@@ -1,9 +1,11 @@
-/// Find a map between two surfaces that has little stretch and makes features agree. A feature is a
-/// number at each point of a surface, such as the curvature. Stretch is measured by the symmetric
-/// Dirichlet energy of \cite Smith2015.
+/// Find a map between two surfaces by descent, the stepwise minimization of an energy. The energy
+/// is low if the map has little stretch, and if features agree at corresponding points. A feature
+/// is a number at each point of a surface, such as the curvature. Stretch is measured by the
+/// symmetric Dirichlet energy of \cite Smith2015.
 ///
 /// Each surface has a map to the unit sphere. One surface is called moving, the other one fixed.
-/// The map between the surfaces is represented by a deformation of the moving surface's sphere.
+/// The vertices of the moving surface's sphere are moved. Points of both surfaces correspond if
+/// they have the same position on the sphere after this deformation.
 
 #ifndef ConformalRegistrationDescent_h
 #define ConformalRegistrationDescent_h
@@ -17,8 +19,9 @@
 
 namespace conformal
 {
-/// Surface sampled in the directions of the vertices of a geodesic sphere. Positions are scaled so
-/// that the surface area is 4 pi, the area of the unit sphere.
+/// Points and features of a surface in the directions of the vertices of a geodesic sphere (a
+/// subdivided icosahedron). Positions are scaled so that the surface area is 4 pi, the area of the
+/// unit sphere.
 struct SampledSurface
 {
   SphereGrid Grid; ///< geodesic sphere with #G vertices
@@ -26,7 +29,8 @@ struct SampledSurface
   Rows Values;
 };
 
-/// Landmark: direction on the sphere of each surface. Both directions show corresponding points.
+/// Landmark: a point of the moving surface, and the corresponding point of the fixed surface. Both
+/// points are given by their positions on the sphere.
 struct SpherePair
 {
   Vector3 From, To; ///< unit vectors on the sphere of the moving and of the fixed surface
@@ -36,24 +40,29 @@ struct SpherePair
 struct RegistrationWeights
 {
   double Stretch = 1.0; ///< weight of the symmetric Dirichlet energy
-  /// Factor by which the metric of the sphere is multiplied. The product is added to the metric of
-  /// each surface before the stretch is computed.
+  /// Factor of the sphere's metric (the dot products of the edge vectors of each triangle). The
+  /// sphere's metric times this factor is added to the metric of each surface. From these sums, the
+  /// stretch is computed, see descend().
   double Sphere = 0.1;
-  /// Weight of the barrier: the symmetric Dirichlet energy of the deformation of the sphere. The
-  /// barrier prevents folds, because this energy is infinite for a triangle of zero area.
+  /// Weight of the barrier, an energy term that prevents folds. The barrier is the symmetric
+  /// Dirichlet energy of the deformation of the sphere. For a triangle of zero area, the barrier is
+  /// infinite.
   double Barrier = 0.02;
   std::vector<double> Features; ///< #K, weights of the squared differences of features
-  double Landmarks = 0.0;       ///< weight of the squared distances of landmarks
+  double Landmarks = 0.0; ///< weight of the squared distances between landmarks and their targets
 };
 
 /// Values of the registration energy and of its terms.
 struct RegistrationEnergy
 {
-  double Stretch = 0.0;   ///< symmetric Dirichlet energy; 1 if both surfaces are isometric
-  double Barrier = 0.0;   ///< weighted energy of the sphere's deformation; 0 for a rotation
-  double Features = 0.0;  ///< weighted mean square difference of the features of both surfaces
-  double Landmarks = 0.0; ///< mean square distance of landmarks on the unit sphere
-  double Total = 0.0;     ///< weighted sum of all terms
+  double Stretch = 0.0;  ///< stretch of the map, see descend(); 1 if the map is isometric
+  double Barrier = 0.0;  ///< weighted energy of the sphere's deformation; 0 for a rotation
+  double Features = 0.0; ///< weighted mean square difference of the features of both surfaces
+  /// Mean square distance between landmarks and their targets on the unit sphere.
+  double Landmarks = 0.0;
+  /// Weights.Stretch * Stretch + Barrier + Features + Weights.Landmarks * Landmarks, where Weights
+  /// are the RegistrationWeights.
+  double Total = 0.0;
 };
 
 /// Options of descend().
@@ -61,26 +70,28 @@ struct DescentOptions
 {
   RegistrationWeights Weights;
   int MaximumNumberOfSteps = 30;
-  /// The descent ends if a step reduces the energy by less than Tolerance times (energy -
-  /// Weights.Stretch). The energy is never below Weights.Stretch.
+  /// Let E be the energy. The descent ends if a step reduces E by less than Tolerance times (E -
+  /// Weights.Stretch). Weights.Stretch is a lower bound of E, because the stretch is at least 1.
   double Tolerance = 5e-3;
 };
 
-/// Minimize the registration energy by projected Newton steps, which move the vertices of the
-/// moving surface's sphere.
+/// Minimize the registration energy by Newton steps, which move the vertices of the moving
+/// surface's sphere. The energy is the sum of the terms in RegistrationEnergy.
 ///
-/// Before each step, negative eigenvalues are removed from the Hessian of the stretch. If a step
-/// folds triangles, the moves of their vertices are halved until no triangle is folded. Then all
-/// moves are shortened until the energy decreases.
+/// Before each step, negative eigenvalues are removed from the Hessian of the stretch (projected
+/// Newton method). The step thus points toward lower energies. If a step folds triangles, the moves
+/// of the vertices of these triangles are halved until no triangle is folded. Then all moves are
+/// shortened until the energy decreases.
 ///
 /// The stretch is defined as follows. Let J be the linear map of a triangle from one surface to the
-/// other. The stretch is the mean of (|J|^2 + |J^-1|^2) / 4 over the areas of both surfaces. The
-/// stretch is 1 for an isometric map, and above 1 for any other map. Before J is computed,
-/// RegistrationWeights::Sphere times the metric of the sphere is added to the metric of each
-/// surface. Thus no triangle has zero area.
+/// other, and |J| its Frobenius norm. The stretch is the mean of (|J|^2 + |J^-1|^2) / 4 over the
+/// areas of both surfaces. The stretch is 1 for an isometric map, and above 1 for any other map. In
+/// this definition, the metric of a surface includes RegistrationWeights::Sphere times the metric
+/// of the sphere. Therefore, no triangle has zero area.
 /// @param[in] pairs       landmarks: corresponding directions on the spheres of both surfaces
-/// @param[in,out] places  #V by 3 unit vectors: vertices of the moving surface's sphere mesh. The
-///   mesh has no folds before or after the call.
+/// @param[in,out] places  #V by 3 unit vectors: positions of the vertices of moving.Grid on the
+///   deformed sphere. No triangle may be folded before the call. After the call, no triangle is
+///   folded.
 /// @return the energy after the last step
 /// @throws Aborted
 RegistrationEnergy descend(const SampledSurface& moving, const SampledSurface& fixed,

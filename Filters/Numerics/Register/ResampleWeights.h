@@ -1,7 +1,7 @@
 /// Interpolate values at target points from values at source points.
 ///
 /// Own construction, not from a publication: interpolation weights are stored as a sparse matrix.
-/// Thus several methods can compute weights for the same interpolation functions.
+/// The interpolation functions below accept this matrix from any method that computes weights.
 
 #ifndef ConformalResampleWeights_h
 #define ConformalResampleWeights_h
@@ -34,11 +34,13 @@ struct ResampleWeights
 };
 
 /// Remove excluded source points from all rows. Then scale the weights of each row to sum 1.
-/// @param[in] counts  for each source point, 0 to exclude the point, else 1
+/// @param[in] counts  one element for each source point: 0 to exclude the point, else 1
 ResampleWeights restrictedTo(const ResampleWeights& weights, const std::vector<char>& counts);
 
-/// Blend the interpolation weights of several source surfaces into one matrix. In the result,
-/// source points are numbered consecutively over all surfaces.
+/// Combine the interpolation weights of several source surfaces in one matrix. Row i of the result
+/// contains the weights of row i of every matrix, each multiplied by the weight of its surface. In
+/// the result, the points of the first surface are numbered first, then those of the second
+/// surface, and so on.
 /// @param[in] ofSurfaces  #S matrices with the same number of rows, one for each surface
 /// @param[in] sizes       #S, number of points of each surface
 /// @param[in] shares      #S, weight of each surface, at least 0. The sum of the weights is 1.
@@ -49,10 +51,10 @@ ResampleWeights blended(const std::vector<const ResampleWeights*>& ofSurfaces,
 /// averaged values. Constant values are therefore preserved bit by bit.
 struct ResampledNumbers
 {
-  /// #N rows of components; 0 where no value is defined.
+  /// Components of the value at each of the #N target points, point by point. The components are 0
+  /// where no source point has finite values.
   std::vector<double> Values;
-  /// Number of target points whose rows of weights are not empty, but contain no source point with
-  /// finite values.
+  /// Number of target points that have source points, but none with finite values.
   Index NumberOfMissing = 0;
 };
 

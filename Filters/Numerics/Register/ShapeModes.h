@@ -23,8 +23,8 @@ enum class ShapeAlignment
 struct ShapeModesOptions
 {
   ShapeAlignment Alignment = ShapeAlignment::Rigid;
-  /// Maximum number of modes. The result has fewer modes than shapes, even if this number is
-  /// larger.
+  /// Maximum number of modes (principal components). For #S shapes, the result never has more than
+  /// #S - 1 modes.
   int NumberOfModes = 10;
 };
 
@@ -33,9 +33,10 @@ struct ShapeModesOptions
 /// sum over k in [0, K) of Scores(s, k) Modes[k].
 struct ShapeModes
 {
-  Points Mean; ///< #V by 3, with the center and orientation of the first shape
-  /// #K modes, each #V by 3. Each displacement is one standard deviation of the shapes along this
-  /// mode.
+  /// Mean of the aligned shapes, #V by 3, with the center and orientation of the first shape.
+  Points Mean;
+  /// #K modes, each #V by 3. Mean plus a mode differs from Mean by one standard deviation of the
+  /// shapes along this mode.
   std::vector<Points> Modes;
   std::vector<double> Explained; ///< #K, fraction of the variance in each mode, descending
   /// #S by #K coefficients of the modes of each shape, in standard deviations.
@@ -45,11 +46,12 @@ struct ShapeModes
 /// Align shapes by generalized Procrustes analysis \cite Gower1975, then compute their principal
 /// components.
 ///
-/// Vertices are weighted by their area, averaged over the shapes. The result therefore does not
-/// depend on the mesh density.
+/// The weight of a vertex is the area around the vertex, averaged over the shapes. The result
+/// therefore does not depend on the mesh density.
 ///
-/// The sign of a mode is chosen so that its score of largest magnitude is positive. If several
-/// scores have the largest magnitude up to rounding, the first of these scores is positive.
+/// The sign of a mode is chosen so that one of its scores (coefficients) is positive: the score of
+/// largest magnitude. If several scores have this magnitude up to rounding, the first of these
+/// scores is positive.
 ///
 /// @param[in] triangles  triangles of every shape
 /// @param[in] shapes     #S shapes, at least one, each #V by 3

@@ -23,8 +23,8 @@ struct GeodesicFeatureOptions
   /// Number of vertices from which geodesic distances are computed. The vertices are spread evenly
   /// over the surface.
   int NumberOfSources = 120;
-  /// Radii of the Gaussian functions that weight the nearby area, as multiples of the square root
-  /// of the surface area.
+  /// Radii for the features that measure the surface area near a vertex, see geodesicFeatures(). A
+  /// radius is a multiple of the square root of the surface area.
   std::vector<double> Radii = { 0.17, 0.35 };
 };
 
@@ -33,7 +33,8 @@ struct GeodesicFeatureOptions
 /// The first feature of a vertex is the logarithm of its mean geodesic distance to all parts of the
 /// surface. This feature is large at limb ends. Each radius adds one feature: the logarithm of the
 /// surface area near the vertex. Here the area is weighted by a Gaussian function of the geodesic
-/// distance. The area features are small on thin limbs.
+/// distance from the vertex. The width of the Gaussian function is the radius. The area features
+/// are small on thin limbs.
 ///
 /// Geodesic distances are lengths of paths along edges and straight across pairs of triangles. The
 /// unit of these distances is the square root of the surface area.

@@ -1,7 +1,7 @@
 /// Interpolate values between the vertices of a sphere mesh.
 ///
 /// Own construction, not from a publication: interpolation weights are computed together with their
-/// gradients. The optimizations that use the weights need these derivatives.
+/// gradients. Registration needs these gradients to minimize energies of interpolated values.
 
 #ifndef ConformalSphereSamples_h
 #define ConformalSphereSamples_h
@@ -21,14 +21,15 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 /// sphere mesh that contains the direction.
 struct SphereWeights
 {
-  int Triangle = -1;                                ///< id of the triangle
-  std::array<int, 3> Ids{};                         ///< corners of the triangle
-  Vector3 Weights = Vector3::Zero();                ///< weights of the corners, with sum 1
-  Eigen::Matrix3d Slopes = Eigen::Matrix3d::Zero(); ///< row k: gradient of weight k
+  int Triangle = -1;                 ///< id of the triangle
+  std::array<int, 3> Ids{};          ///< corners of the triangle
+  Vector3 Weights = Vector3::Zero(); ///< weights of the corners, with sum 1
+  /// Row k: gradient of weight k by the direction.
+  Eigen::Matrix3d Slopes = Eigen::Matrix3d::Zero();
 };
 
-/// Sphere mesh in which the triangle of a direction can be searched. Several threads may search
-/// concurrently.
+/// Sphere mesh with a search structure that finds the triangle containing a direction. Several
+/// threads may search concurrently.
 class SphereGrid
 {
 public:
@@ -47,7 +48,7 @@ private:
   SphereLocator Locator;
 };
 
-/// Interpolate values linearly in given directions.
+/// Interpolate values in given directions, linearly in each triangle of a sphere mesh.
 /// @param[in] values      one row for each vertex of the grid
 /// @param[in] directions  #N by 3
 /// @return #N rows of interpolated values

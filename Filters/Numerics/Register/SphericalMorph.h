@@ -16,7 +16,7 @@ namespace conformal
 enum class MorphPath
 {
   Linear, ///< straight line; parts that rotate shrink in between
-  Rigid   ///< triangles rotate and stretch gradually; parts that rotate keep their size
+  Rigid ///< path on which triangles rotate and stretch gradually; parts that rotate keep their size
 };
 
 /// Options of morphShapes().
@@ -34,21 +34,24 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 /// Blend shapes by weights.
 ///
 /// With MorphPath::Linear, positions are averaged. MorphPath::Rigid blends triangles as follows:
-/// 1. Find the best rotation between each whole shape and the first shape, and remove this
-///    rotation.
-/// 2. Compute the deformation gradient of each triangle, including its normal. Split the gradient
-///    into a rotation and a stretch (polar decomposition).
-/// 3. Average the triangles without their rotations. Average the logarithms of the rotations of
-///    triangles and of whole shapes. Apply the mean rotations to the mean triangles.
-/// 4. Assemble the blended triangles by least squares, which is one linear system. The cotangent
-///    weights of this system are clamped to [MinimumCotangent, MaximumCotangent].
+/// 1. For each shape, find the rotation that best aligns the first shape with this shape. Undo this
+///    rotation in the shape.
+/// 2. Compute the deformation gradient of each triangle: the linear map from the first shape, which
+///    also maps the unit normal. Split the gradient into a rotation and a stretch (polar
+///    decomposition).
+/// 3. Undo the rotation of each triangle, and average the triangles of all shapes. Average the
+///    logarithms (rotation vectors) of the rotations of triangles, and of whole shapes. Apply the
+///    mean rotations to the mean triangles.
+/// 4. Assemble the blended triangles to a shape by least squares, which is one linear system. The
+///    weights of this system are cotangents of triangle angles, clamped to [MinimumCotangent,
+///    MaximumCotangent].
 ///
-/// Logarithms of rotations are chosen to be continuous between neighboring triangles. A part may
-/// therefore rotate by more than 180 degrees, but not by 360 degrees. The area-weighted center of
-/// the shape moves on a straight line.
+/// A rotation has several logarithms, which differ by multiples of 360 degrees. Those of
+/// neighboring triangles are chosen to be similar. A part may therefore rotate by more than 180
+/// degrees, but not by 360 degrees. The area-weighted center of the shape moves on a straight line.
 ///
-/// If two shapes are exchanged together with their weights, the result changes only by rounding.
-/// With more than two shapes, rotations are relative to the first shape of weight above 0.
+/// If two shapes are blended, their order affects the result only by rounding. If more than two
+/// shapes are blended, rotations are relative to the first shape of weight above 0.
 ///
 /// @param[in] sphere   sphere positions of the points, and the triangles of every shape
 /// @param[in] shapes   #S shapes, at least one, each #V by 3
@@ -61,7 +64,8 @@ Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
   const std::vector<double>& weights, const SphericalMorphOptions& options = {},
   const Run& run = {});
 
-/// Limits of cotangents of triangle angles, so that thin triangles do not make the system singular.
+/// Limits of cotangents of triangle angles in morphShapes(). With these limits, the linear system
+/// is regular even if triangles are thin.
 constexpr double MinimumCotangent = 0.02, MaximumCotangent = 50.0;
 }
 

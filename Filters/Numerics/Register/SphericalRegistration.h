@@ -1,9 +1,10 @@
 /// Register a moving surface with a fixed surface. Both surfaces have maps to the sphere. The map
-/// of the moving surface is deformed until equal directions show corresponding points of both
-/// surfaces.
+/// of the moving surface is deformed until corresponding points of both surfaces have the same
+/// position on the sphere.
 ///
-/// Own construction, not from a publication: descents start from several rotations, and continue on
-/// finer and finer spheres. A single descent may end in a poor local minimum.
+/// Own construction, not from a publication: an energy is minimized step by step, by descents from
+/// several initial rotations. The first descents use a coarse mesh of the sphere, the next ones
+/// finer meshes. A single descent may end in a poor local minimum.
 
 #ifndef ConformalSphericalRegistration_h
 #define ConformalSphericalRegistration_h
@@ -33,7 +34,8 @@ struct SphericalRegistrationOptions
   SpaceOfTransforms Space = SpaceOfTransforms::Diffeomorphic;
   /// Weight of the features that are computed from the shapes of the surfaces; 0 to ignore them.
   double ShapeWeight = 1.0;
-  double StretchWeight = 1.0; ///< weight of the symmetric Dirichlet energy; above 0
+  /// Weight of the stretch (symmetric Dirichlet energy) of the map between the surfaces; above 0.
+  double StretchWeight = 1.0;
   /// Frequency f of the finest geodesic sphere on which the deformation is computed, at least 8. A
   /// geodesic sphere is a subdivided icosahedron with 10 f^2 + 2 vertices.
   int Frequency = 16;
@@ -51,8 +53,11 @@ struct RegisteredSurface
 struct SphericalRegistrationResult
 {
   Points SpherePositions; ///< #V by 3 unit vectors, the new map of the moving surface
-  double Stretch = 0.0;   ///< symmetric Dirichlet energy; 1 if the surfaces are isometric
-  /// Maximum distance on the unit sphere between corresponding landmarks, after registration.
+  /// Stretch (symmetric Dirichlet energy) of the map between the surfaces; 1 if the map is
+  /// isometric.
+  double Stretch = 0.0;
+  /// Maximum distance between a landmark of the moving surface and its target, after registration.
+  /// The target is the sphere position of the corresponding landmark of the fixed surface.
   double LandmarkError = 0.0;
   /// Weighted mean correlation of the features of both surfaces before registration; 1 without
   /// features.
@@ -60,35 +65,41 @@ struct SphericalRegistrationResult
   /// Weighted mean correlation of the features of both surfaces after registration; 1 without
   /// features.
   double AgreementAfter = 1.0;
-  /// Number of landmarks more than 1e-6 from their targets. Counted only for Diffeomorphic.
+  /// Number of landmarks farther than 1e-6 from their targets on the unit sphere. Counted only for
+  /// Diffeomorphic.
   Index NumberOfUnmetLandmarks = 0;
   Index NumberOfFolds = 0; ///< number of folded triangles of the new map, by exact arithmetic
 };
 
 /// Register a moving surface with a fixed surface.
 ///
-/// 1. Find the initial rotations of the moving surface's sphere. At least two landmarks determine
-///    one rotation. Otherwise, up to eight rotations are found by the features (RotationSearch.h).
-/// 2. From each rotation, minimize an energy on a coarse sphere (RegistrationDescent.h). The energy
-///    is the stretch of the map, plus the weighted differences of features. Compute the score of
-///    each result: the energy, plus 3 times the pose difference. Keep up to two results with the
-///    lowest scores. The pose difference is 1 minus the correlation of corresponding positions,
-///    after the best rotation in space. The pose difference excludes results that match a head with
-///    a tail of similar features.
-/// 3. Continue the descent on finer spheres, and keep the result with the lowest score. In the last
-///    descent, the weights that prevent folds are smaller.
-/// 4. Interpolate the deformation at the moving surface's vertices. Then move landmark vertices to
-///    their targets by a flow (LandmarkFlow.h).
+/// The score of a map is its energy plus 3 times its pose difference. The energy is the stretch of
+/// the map, plus the weighted differences of features, plus terms for landmarks and against folds.
+/// The pose difference is 1 minus the correlation of corresponding positions, after the best
+/// rotation in space. For example, if the head of an animal is matched with a similar tail, the
+/// pose difference is large.
+///
+/// 1. Find the initial rotations of the moving surface's sphere. If there are at least two
+///    landmarks, they determine one rotation. Otherwise, up to eight rotations are found by the
+///    features (RotationSearch.h).
+/// 2. From each rotation, minimize the energy by a descent on a coarse geodesic sphere
+///    (RegistrationDescent.h). Keep up to two of the resulting maps, those with the lowest scores.
+/// 3. Continue the descents on finer geodesic spheres, and keep the map with the lowest score. In
+///    the last descent, the energy terms against folds have smaller weights.
+/// 4. Interpolate the deformation of the geodesic sphere at the moving surface's vertices. Then
+///    move landmark vertices to their targets by a flow (LandmarkFlow.h).
 ///
 /// If the deformation folds a triangle of the moving surface, a smaller fraction of the deformation
-/// is applied. For Rotation and Moebius, the transform is fitted to the landmarks by least squares.
-/// Without landmarks, the transform is fitted to the deformation of the coarse sphere.
+/// is applied. For SpaceOfTransforms Rotation and Moebius, the result is a transform instead of a
+/// deformation. This transform is fitted to the landmarks by least squares. If there are no
+/// landmarks, the transform is fitted to the deformation of the coarse sphere.
 ///
 /// @param[in] landmarks       pairs of a vertex of the moving surface and a vertex of the fixed
 ///   surface. No vertex of the moving surface is repeated.
 /// @param[in] featureWeights  #K, weights of the columns of Features, at least 0
 /// @throws std::invalid_argument if a map has folds, or does not cover the sphere once
-/// @throws std::invalid_argument if there are too few landmarks for the space of transforms
+/// @throws std::invalid_argument if there is exactly one landmark for Rotation, or one or two
+///   landmarks for Moebius
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
 SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,

@@ -37,19 +37,21 @@ struct TemplateInput
 {
   std::string Name = "a surface"; ///< name of the surface in messages
   RegisteredSurface Surface;
-  /// #L vertex ids without repetition. Landmarks with equal indices correspond.
+  /// #L vertex ids without repetition. Landmarks of different surfaces correspond if they have the
+  /// same index in this list.
   std::vector<int> Landmarks;
 };
 
 /// Registrations of #S surfaces with their mean, and the mean.
 struct SphericalTemplateResult
 {
-  /// #S, registration of each surface with the mean. If there are no rounds, each surface is
-  /// registered with the start surface instead.
+  /// #S, registration of each surface with the mean. If MaximumNumberOfRounds is 0, each surface is
+  /// registered with the start surface instead. The start surface is the first reference, see
+  /// findSphericalTemplate().
   std::vector<SphericalRegistrationResult> Registrations;
   /// Mean shape on a geodesic sphere, with the center and orientation of the start surface.
   MappedMesh Mean;
-  Index Start = 0; ///< index of the start surface, see findSphericalTemplate()
+  Index Start = 0; ///< index of the start surface
   /// Change of the mean in each round: root mean square displacement, divided by root mean square
   /// radius.
   std::vector<double> Changes;
@@ -60,15 +62,16 @@ struct SphericalTemplateResult
 /// 1. Register all surfaces with the first surface. Compute the mean of the registered shapes. The
 ///    surface closest to this mean becomes the start surface.
 /// 2. Register all surfaces with the start surface.
-/// 3. In each round, register all surfaces with the mean of positions and features from the
-///    previous registrations. Stop when the mean converges.
+/// 3. Repeat in rounds: Compute the mean of positions and features over all surfaces, as registered
+///    before. Register all surfaces with this mean. Stop if the mean changes by at most
+///    options.Tolerance.
 ///
 /// Each registration begins with the input map of the surface, not with the result of the previous
-/// round. For registration, the landmarks of the mean are vertices of the mean. Each of these
-/// vertices is the closest one to the mean sphere position of the landmark.
+/// round. The mean has one landmark for each index: the vertex closest to the mean sphere position
+/// of the landmarks with this index. No vertex is used twice.
 ///
-/// The order of the surfaces affects only the choice of the start surface. With the same start
-/// surface, results differ only by rounding.
+/// A different order of the surfaces may result in a different start surface. If the start surface
+/// is the same, results differ only by rounding.
 /// @param[in] inputs          #S surfaces, at least one
 /// @param[in] featureWeights  #K, weights of the features, at least 0
 /// @throws std::invalid_argument if a surface has zero area, or its map does not cover the sphere

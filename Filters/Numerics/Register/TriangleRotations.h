@@ -11,8 +11,8 @@
 
 namespace conformal
 {
-/// Return the rotation matrix of a rotation vector. The vector has the direction of the axis, and
-/// the length of the angle in radians.
+/// Return the rotation matrix of a rotation vector. The direction of the vector is the axis. The
+/// length of the vector is the angle in radians.
 Eigen::Matrix3d rotationOf(const Vector3& rotationVector);
 
 /// Compute the rotation of a triangle's deformation: the orthogonal factor in the polar
@@ -24,18 +24,18 @@ Eigen::Matrix3d triangleRotation(
   const Eigen::Matrix3d& from, const Eigen::Matrix3d& to, const Eigen::Matrix3d& otherwise);
 
 /// Compute a rotation vector for each triangle, relative to the rotation of the whole shape. Let R
-/// be triangleRotation() of the triangle, and exp the rotation matrix of a rotation vector. Then
-/// R = exp(whole) exp(vector).
+/// be triangleRotation() of the triangle, and exp() the function rotationOf(). Then R = exp(whole)
+/// exp(vector).
 ///
 /// A rotation vector is unique up to multiples of 360 degrees along its axis. These multiples are
 /// chosen so that vectors are continuous between neighboring triangles. The triangle of smallest
 /// rotation gets its shortest vector. Starting there, each triangle gets the vector closest to the
 /// vector of a neighbor. Neighbors with the most similar rotations are processed first.
 ///
-/// Limbs may thus rotate by more than 180 degrees. Rotations by 360 degrees are not supported,
-/// since their axes are undefined.
+/// With this choice, parts of a shape (limbs) may rotate by more than 180 degrees. Rotations by 360
+/// degrees are not supported, since their axes are undefined.
 ///
-/// @param[in] neighbors  triangleNeighbors() of the triangles
+/// @param[in] neighbors  adjacent triangles of each triangle: the result of triangleNeighbors()
 /// @param[in] from, to   #V by 3, vertices of both shapes
 /// @param[in] whole      rotation vector of the whole shape
 /// @throws Aborted

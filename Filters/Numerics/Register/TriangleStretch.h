@@ -10,17 +10,17 @@
 
 namespace conformal
 {
-/// Metric of a triangle with edge vectors p and q from the first corner. The metric consists of the
-/// dot products p.p, p.q and q.q.
+/// Metric of a triangle: the dot products p.p, p.q and q.q. Here p and q are the edge vectors from
+/// the first corner to the second and third corner.
 using TriangleMetric = std::array<double, 3>;
 
 /// Compute the area of a triangle from its metric.
 double areaOf(const TriangleMetric& metric);
 
 /// Compute the stretch of a triangle between its metric at rest and its present metric. Let J be
-/// the linear map between both shapes of the triangle, and a and b their areas. The stretch is
-/// (|J|^2 + |J^-1|^2 - 4) (a + b) / 2. The stretch is 0 for equal metrics, and infinite for a
-/// triangle of zero area.
+/// the linear map from the rest shape to the present shape, and |J| its Frobenius norm. Let a and b
+/// be the areas of both shapes. The stretch is (|J|^2 + |J^-1|^2 - 4) (a + b) / 2. The stretch is 0
+/// for equal metrics, and infinite for a triangle of zero area.
 double triangleStretch(const TriangleMetric& rest, const TriangleMetric& now);
 
 /// Quadratic model of an energy for a small change u of six unknowns. The energy changes by Slope^T
@@ -31,8 +31,9 @@ struct TriangleForm
   Eigen::Matrix<double, 6, 6> Stiffness; ///< approximate Hessian of the energy
 };
 
-/// Edge vectors of a triangle that depends on six unknowns, two for each corner. The vectors are
-/// six-dimensional: three coordinates on a surface, then three scaled coordinates on the sphere.
+/// Edge vectors of a triangle that depends on six unknowns, two for each corner. Each corner has a
+/// position on a surface and a position on the sphere. An edge vector therefore has six
+/// coordinates: three on the surface, then three on the sphere, multiplied by a factor.
 struct MovingTriangle
 {
   Eigen::Matrix<double, 6, 1> P, Q; ///< edge vectors from the first corner
@@ -41,8 +42,8 @@ struct MovingTriangle
 };
 
 /// Compute the quadratic model of triangleStretch() for edge vectors that are linear in the
-/// unknowns. Negative eigenvalues of the Hessian are removed. Changes within the triangle's plane
-/// and changes perpendicular to the plane are processed separately.
+/// unknowns. Negative eigenvalues of the Hessian are removed. The eigenvalues are computed
+/// separately for changes in the triangle's plane, and for changes perpendicular to the plane.
 TriangleForm triangleStretchForm(const TriangleMetric& rest, const MovingTriangle& now);
 }
 

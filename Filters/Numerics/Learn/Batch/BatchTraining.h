@@ -1,5 +1,6 @@
-/// Train a self-organizing map in batches, on finer and finer geodesic networks. The algorithm sums
-/// the updates of \cite Liou2008 over many samples. Training starts from the unit sphere.
+/// Train a self-organizing map in batches, on finer and finer geodesic networks. In each step, the
+/// algorithm sums the updates of \cite Liou2008 over many samples. Training starts from the unit
+/// sphere.
 ///
 /// A geodesic network is a subdivided icosahedron on the unit sphere. Each of its vertices is a
 /// neuron, with a weight vector: its position in space. A sample that is used for training is
@@ -32,31 +33,35 @@ struct BatchOptions
 struct BatchTrainingOptions : BatchOptions
 {
   int Frequency = 36; ///< frequency of the finest network, see makeGeodesicSphere()
-  /// Reference point of a pattern, see ReferencePoint.h; Automatic means Affine.
+  /// Kind of reference point: the point on the unit sphere around which a pattern moves neurons,
+  /// see ReferencePoint.h. Automatic means Affine.
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
-  FitOptions Fit;              ///< options of the least-squares fit
+  FitOptions Fit;              ///< options of the least-squares fit (LeastSquaresFit.h)
   unsigned int RandomSeed = 1; ///< seed of the selection of patterns
   MeshObserver Observer; ///< function called after each network and after the fit; may be empty
 };
 
-/// Function called after each network, with the mesh and the weight of the patterns in each
-/// triangle. The function returns whether to continue with a finer network.
+/// Function called after the training of each network. The arguments are the mesh and, for each
+/// triangle, the total weight of the patterns projected to this triangle. The function returns
+/// whether to continue with a finer network.
 using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double>&)>;
 
-/// Train networks of increasing frequency, up to options.Frequency. No least-squares fit follows.
+/// Train networks of increasing frequency, up to options.Frequency. The result is not fitted by
+/// least squares.
 ///
 /// Each network is trained in several passes over patterns. Let x be a pattern. Let w_i be the
-/// weight vector of neuron i, and h_i its neighborhood function of x. A pass replaces each w_i by
-/// the mean of all patterns x, weighted by h_i. This is Eq. 3 of \cite Liou2008, summed over the
-/// patterns with all w_i fixed.
+/// weight vector of neuron i, and h_i(x) the weight by which x moves neuron i. A pass replaces each
+/// w_i by the mean of all patterns x, weighted by h_i(x). This step follows from Eq. 3 of
+/// \cite Liou2008, summed over the patterns with all w_i fixed.
 ///
-/// The function h_i of a pattern is computed in two steps. First, the pattern is projected to the
-/// mesh. The corners of the triangle that contains the projection get barycentric weights. These
-/// are the weights of the projection itself, or of its reference point (options.ReferencePoint).
-/// Then the weights are diffused over the network. The diffusion becomes narrower from pass to
-/// pass.
+/// The weights h_i(x) of a pattern are computed in two steps. First, the pattern is projected to
+/// the closest point of the mesh. The corners of the triangle that contains the projection get
+/// barycentric weights. The weights are those of the projection itself, or of the reference point
+/// (options.ReferencePoint). Second, the weights are diffused over the network, so that neighboring
+/// neurons are also moved. The diffusion becomes narrower from pass to pass.
 ///
-/// @param[in] goesOn  function called after each network; if empty, all networks are trained
+/// @param[in] goesOn  function called after the training of each network; if empty, all networks
+///   are trained
 /// @return the mesh in the samples' unit (maximum radius 1), with the estimated noise
 /// @throws NumericalFailure if goesOn returns false
 /// @throws Aborted
@@ -64,7 +69,8 @@ FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOp
   const LevelTest& goesOn, const Run& run = {});
 
 /// Train all networks, then fit the vertices to the samples by least squares (LeastSquaresFit.h).
-/// If the errors of the two finest networks indicate noise, the fit is smoother.
+/// The noise of the samples is estimated from the errors of the two finest networks. With more
+/// noise, the fit is smoother.
 /// @return the mesh in the samples' unit (maximum radius 1)
 /// @throws Aborted
 FittedMesh trainBatch(

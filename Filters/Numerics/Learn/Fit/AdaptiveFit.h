@@ -1,8 +1,8 @@
 /// Fit a closed mesh to samples of a surface. All triangles of the mesh are about equally large.
 ///
-/// Own construction, not from a publication: least-squares fits alternate with remeshing. Good
-/// triangles can only be made when the surface is known, and the surface becomes known during the
-/// fit.
+/// Own construction, not from a publication: least-squares fits alternate with remeshing (making
+/// new triangles). Good triangles can only be made after the shape of the surface is known, and
+/// each fit improves the shape.
 
 #ifndef ConformalAdaptiveFit_h
 #define ConformalAdaptiveFit_h
@@ -26,13 +26,14 @@ struct AdaptiveFitOptions : FitOptions
   /// Number of samples per vertex in each iteration of the final fit.
   Index SamplesPerVertex = 12;
   unsigned int RandomSeed = 1; ///< seed of the selection of samples
-  /// Function called with the start surface before and after remeshing, the mesh of each turn (see
-  /// AdaptiveStart), and the final mesh. May be empty.
+  /// Function called with the start surface before and after remeshing, the mesh of each turn, and
+  /// the final mesh. A turn is a fit followed by remeshing. May be empty.
   MeshObserver Observer;
 };
 
 /// Start surface of a fit, with settings of the fit. The surface is closed, of genus zero, and near
-/// the samples. Positions are in the samples' unit (maximum radius 1).
+/// the samples. Positions are in the samples' unit, in which the maximum radius of the samples is
+/// 1.
 struct AdaptiveStart : LearnedMesh
 {
   /// Number of turns before the final fit. A turn is a fit followed by remeshing.
@@ -43,7 +44,7 @@ struct AdaptiveStart : LearnedMesh
   double OutlierRatio = 10.0;
   /// Function that returns whether a sample is used; if empty, all samples are used.
   std::function<bool(const Vector3&)> Belongs;
-  /// Surface that guides vertices between samples that are far apart (LeastSquaresFit.h), or null.
+  /// Surface to which vertices without samples are pulled (LeastSquaresFit.h), or null.
   std::shared_ptr<const TriangleTree> Guide;
 };
 
@@ -53,14 +54,15 @@ struct AdaptiveStart : LearnedMesh
 ///
 /// First, the start surface is remeshed (Remeshing.h). Then several turns follow. Each turn fits
 /// the mesh to the samples (LeastSquaresFit.h) and remeshes the fitted mesh. In each turn, the
-/// smoothness decreases from iteration to iteration. The final fit does not change the triangles.
-/// Where triangles cut off sharp edges of the object, vertices are finally moved onto these edges
-/// (SharpEdges.h).
+/// weight of a smooth surface decreases from iteration to iteration. The final fit moves vertices,
+/// but keeps the triangles. Where triangles cut off sharp edges of the object, vertices are finally
+/// moved onto these edges (SharpEdges.h).
 ///
 /// The noise of the samples is estimated before the final fit (NoiseEstimate.h). The estimate
-/// compares the errors of this mesh with the errors of a mesh with a quarter of the vertices. With
-/// more noise, the final fit is smoother. If the noise is large relative to the edge length, the
-/// first turn is repeated with a stiffer surface.
+/// compares the distances of samples from two meshes: the mesh before the final fit, and a mesh
+/// with a quarter of its vertices. With more noise, the final fit is smoother. If the noise is
+/// large relative to the edge length, the first turn is repeated with a larger weight of a smooth
+/// surface.
 ///
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks

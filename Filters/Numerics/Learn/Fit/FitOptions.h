@@ -9,10 +9,10 @@ namespace conformal
 /// Options of the least-squares fit (LeastSquaresFit.h).
 struct FitOptions
 {
-  /// Number of iterations. Each iteration projects the samples to the surface again.
+  /// Number of iterations. Each iteration projects the samples to the surface, then moves the
+  /// vertices.
   int Iterations = 10;
-  /// Weight of the smoothness of the surface at a vertex, relative to the mean weight of the
-  /// samples of a vertex.
+  /// Weight of a smooth surface at a vertex, divided by the mean weight of the samples of a vertex.
   double Smoothness = 0.01;
   /// Whether samples farther from the surface have larger weights, see LeastSquaresFit.h.
   bool AutomaticPriority = true;

@@ -11,25 +11,33 @@
 
 namespace conformal
 {
-/// Measurements of one epoch (Online mode), pass (Batch mode) or iteration of the least-squares
-/// fit. In the samples' unit, the maximum radius of the samples is 1.
+/// Measurements of one section of the training:
+/// - in Online mode (one sample per step): an epoch of many steps,
+/// - in Batch mode (many samples per step): a pass over the samples,
+/// - in the least-squares fit: an iteration.
+///
+/// In the samples' unit, the maximum radius of the samples is 1.
 struct TrainingRecord
 {
   /// Frequency of the geodesic sphere whose number of triangles is closest to that of the mesh.
   int Frequency = 0;
-  double NeighborhoodRadius = 0; ///< neighborhood radius sigma(t), a length on the unit sphere
-  double LearningRate = 0;       ///< learning rate alpha(t); 1 in batch training and in the fit
-  /// Mean square distance between the samples used and their projections to the mesh, in squares of
-  /// the samples' unit.
+  /// Radius sigma(t) of the neighborhood in which a sample moves vertices, a length on the unit
+  /// sphere.
+  double NeighborhoodRadius = 0;
+  /// Learning rate alpha(t): factor of the vertices' moves toward a sample. The rate is 1 in Batch
+  /// mode and in the fit.
+  double LearningRate = 0;
+  /// Mean square distance between samples and their projections to the mesh, in squares of the
+  /// samples' unit.
   double MeanSquareError = 0;
   /// Mean displacement of the vertices, in the samples' unit.
   double MeanDisplacement = 0;
 };
 
-/// Learned mesh. In the notation of \cite Liou2008, Positions are the weights w_i: the vertices of
-/// the model M^Delta. SpherePositions are the network positions n_i. SpherePositions are empty if
-/// the mesh has not been mapped to the sphere. The triangles belong to both the model and the
-/// network S^Delta.
+/// Learned mesh. In the notation of \cite Liou2008, the mesh in space is the model M^Delta, and
+/// Positions are the weights w_i of its vertices. The mesh on the sphere is the network S^Delta,
+/// and SpherePositions are the network positions n_i. Model and network have the same triangles.
+/// SpherePositions are empty if the mesh has not been mapped to the sphere.
 struct LearnedMesh : MappedMesh
 {
   std::vector<TrainingRecord> History; ///< one record for each epoch, pass and iteration
@@ -42,7 +50,7 @@ struct FittedMesh : LearnedMesh
   double NoiseToDetail = 0.0;
   /// Standard deviation of the noise, in the samples' unit (maximum radius 1).
   double Noise = 0.0;
-  /// Fraction of the surface area without samples nearby, see unsupportedFraction().
+  /// Fraction of the surface area without samples nearby, in [0, 1], see unsupportedFraction().
   double UnsupportedFraction = 0.0;
   /// Area of the fitted mesh, divided by the area of the surface before the fit.
   double AreaRatio = 1.0;

@@ -1,7 +1,8 @@
 /// Fit the vertices of a triangle mesh to samples of a surface by least squares.
 ///
-/// Own construction, not from a publication: the curvature term is omitted from the squared
-/// distance of \cite Pottmann2006. Without this term, a few iterations still suffice.
+/// Own construction, not from a publication: the distance between a sample and the surface is the
+/// squared distance of \cite Pottmann2006 without its curvature term. Without this term, a few
+/// iterations still suffice.
 
 #ifndef ConformalLeastSquaresFit_h
 #define ConformalLeastSquaresFit_h
@@ -18,8 +19,8 @@
 
 namespace conformal
 {
-/// Options of leastSquaresFit(). The smoothness is the weight of a smooth surface, relative to the
-/// mean weight of the samples of a vertex.
+/// Options of leastSquaresFit(). The smoothness is the weight of a smooth surface at a vertex,
+/// divided by the mean weight of the samples of a vertex.
 struct LeastSquaresFitOptions
 {
   int Iterations = 10; ///< number of iterations
@@ -27,8 +28,8 @@ struct LeastSquaresFitOptions
   /// changes by a constant factor per iteration.
   double FirstSmoothness = 0.01;
   double LastSmoothness = 0.01; ///< smoothness in the last iteration
-  /// Factor of the smoothness along the surface. A value above 1 makes the triangles more nearly
-  /// equilateral.
+  /// Factor by which the smoothness is multiplied in directions along the surface. A value above 1
+  /// makes the triangles more nearly equilateral.
   double Evenness = 1.0;
   /// A sample is an outlier if its distance from the surface exceeds the usual distance of nearby
   /// samples by this factor. See LocalScale.h.
@@ -38,14 +39,14 @@ struct LeastSquaresFitOptions
   /// ends. The weight is the distance of the sample divided by the root mean square distance,
   /// clamped to [0.3, 2.8].
   ///
-  /// Without a Guide, this option also moves vertices that have no samples. In the second half of
-  /// the iterations, these vertices are pulled along their normals toward their nearest samples.
-  /// Thus a surface that covers a hollow moves into the hollow.
+  /// Without a Guide, this option also moves vertices without samples. In the second half of the
+  /// iterations, these vertices are pulled along their normals toward their nearest samples. By
+  /// this pull, a surface that covers a hollow moves into the hollow.
   bool AutomaticPriority = true;
 
-  /// Surface that guides vertices between samples that are far apart, or null. Vertices without
-  /// samples are pulled to this surface along their normals. The weight is a tenth of the mean
-  /// weight of the samples of a vertex. Vertices over holes wider than eight edges are not pulled.
+  /// Surface to which vertices without samples are pulled along their normals, or null. The weight
+  /// of the pull is a tenth of the mean weight of the samples of a vertex. Vertices over holes in
+  /// the samples are not pulled if the holes are wider than eight edges of the mesh.
   std::shared_ptr<const TriangleTree> Guide;
 
   /// Maximum number of samples in an iteration. Each iteration uses different samples.
@@ -62,13 +63,14 @@ struct LeastSquaresFitOptions
 /// the samples, and terms for a smooth surface. The weight of the smoothness terms at a vertex is
 /// its stiffness. The stiffness is the smoothness times the mean weight of the samples of a vertex.
 /// At vertices without samples nearby, the stiffness is larger, so that the surface is interpolated
-/// there. In the last iterations, the stiffness is also larger at folds.
+/// there. In the last five iterations, the stiffness is also larger at folds, where the normals of
+/// neighboring triangles differ by more than 90 degrees.
 ///
 /// Outliers are ignored: samples much farther from the surface than neighboring samples
 /// (LocalScale.h).
 ///
 /// @param[in,out] mesh  mesh with vertices in the samples' unit (maximum radius 1). One record per
-///   iteration is appended to its history.
+///   iteration is appended to mesh.History.
 /// @return for each triangle, the total weight of the samples projected to this triangle in the
 ///   last iteration. Without iterations, all values are 0.
 /// @throws Aborted

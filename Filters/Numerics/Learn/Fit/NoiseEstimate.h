@@ -1,8 +1,8 @@
 /// Estimate the noise of samples from their distances to learned surfaces.
 ///
 /// Own construction, not from a publication: square errors of a coarse mesh and of a fine mesh are
-/// compared. A finer mesh reduces the error due to unresolved detail, but not the error due to
-/// noise.
+/// compared. The error of a mesh is the distance of samples from the mesh. A finer mesh reduces the
+/// error due to unresolved detail (too small for the triangles), but not the error due to noise.
 
 #ifndef ConformalNoiseEstimate_h
 #define ConformalNoiseEstimate_h
@@ -15,19 +15,19 @@
 
 namespace conformal
 {
-/// Estimate the variance of the noise, divided by the variance due to unresolved detail. The
-/// estimate is based on the typical square errors of two surfaces. The coarse surface has a quarter
-/// of the vertices of the fine surface.
+/// Estimate the variance of the noise, divided by the variance due to unresolved detail on the fine
+/// surface. The estimate is based on the typical square errors of two surfaces. The coarse surface
+/// has a quarter of the vertices of the fine surface.
 ///
 /// Detail is assumed to cause a six times smaller square error on the fine surface. This factor was
 /// measured on scans. For smooth objects and fine meshes, the factor would approach 16. The noise
-/// is the same for both surfaces.
+/// is assumed to cause the same square error on both surfaces.
 /// @param[in] coarseError, fineError  typicalSquareError() of both surfaces
 /// @return the ratio, in [0, 10]; 10 if the fine surface has no smaller error than the coarse one
 double noiseToDetail(double coarseError, double fineError);
 
 /// Estimate the variance of Gaussian noise along the normal, from the typical square errors of a
-/// coarse and a fine surface. If unresolved detail explains both errors, return 0.
+/// coarse and a fine surface. If unresolved detail alone explains both errors, return 0.
 double noiseVariance(double coarseError, double fineError);
 
 /// Geometric mean of squared distances. Unlike the arithmetic mean, the geometric mean hardly

@@ -1,5 +1,6 @@
-/// Set up and solve the normal equations of the least-squares fit of a triangle mesh to samples.
-/// The samples are called patterns, as in \cite Liou2008.
+/// Set up and solve the normal equations of the least-squares fit of a triangle mesh to samples. As
+/// in \cite Liou2008, the samples are called patterns, and the positions of the vertices are called
+/// weights.
 
 #ifndef ConformalSurfaceEquations_h
 #define ConformalSurfaceEquations_h
@@ -15,8 +16,9 @@
 
 namespace conformal
 {
-/// Least-squares equations for displacements d of the vertices w of a mesh. The displacements move
-/// the mesh toward patterns x, and minimize the energy
+/// Least-squares equations for displacements d of the vertices of a mesh. Let w be the positions of
+/// the vertices before the displacement. The displacements move the mesh toward patterns x, and
+/// minimize the energy
 ///
 ///     sum p (b d - r)^T M (b d - r) + sum s_i |L (w + d)|_i^2 + bending of w + d.
 ///
@@ -25,16 +27,20 @@ namespace conformal
 /// - p is the weight of the pattern.
 /// - b are the barycentric weights of the foot point, so that b w is the foot point.
 /// - r = x - b w is the vector from the foot point to the pattern.
-/// - M is a 3 by 3 matrix, by which distances along the normal have full weight. If the foot point
-///   is inside a triangle, distances along the surface have almost no weight. The reason is that
-///   foot points move along the surface from iteration to iteration.
+/// - M is a 3 by 3 matrix. If the foot point is inside a triangle, M reduces the weight of
+///   distances along the surface to 0.02. The reason is that foot points may move along the surface
+///   from iteration to iteration. Distances along the normal always have weight 1.
 ///
-/// This is the squared distance of \cite Pottmann2006 without its curvature term. With this
-/// distance, a few iterations suffice.
+/// The term (b d - r)^T M (b d - r) is the squared distance of \cite Pottmann2006 without its
+/// curvature term. With this distance, a few iterations of the fit suffice.
 ///
-/// The second sum is over all vertices i. L is the uniform Laplacian, and s_i is the stiffness at
-/// vertex i. The part of L along the surface is multiplied by the evenness. The bending energy at
-/// the edges (HingeBending.h) has the same stiffness. This energy prevents wrinkles of thin
+/// The second sum is over all vertices i. L is the uniform Laplacian: the position of vertex i
+/// minus the mean of its neighbors. The stiffness s_i is the weight of a smooth surface at vertex
+/// i. The part of the Laplacian along the surface is weighted by `evenness`, a parameter of
+/// solve().
+///
+/// The bending energy (HingeBending.h) is a sum over all edges. Its weight at an edge is the mean
+/// stiffness of the two vertices of the edge. The bending energy prevents wrinkles of thin
 /// triangles.
 class SurfaceEquations
 {
@@ -63,14 +69,13 @@ public:
   /// ranks must add equal terms.
   void reduce(const Reduce& reduce) { this->Sums.reduce(reduce); }
 
-  /// Minimize the energy approximately, by some iterations of conjugate gradients
-  /// \cite Hestenes1952 that start at d = 0. Afterward, call clear() before further patterns are
-  /// added.
+  /// Minimize the energy approximately, by up to 25 iterations of conjugate gradients
+  /// \cite Hestenes1952 that start at d = 0. To add patterns after solve(), first call clear().
   /// @pre clear() was called after the previous solve()
-  /// @param[in] weights    vertices w, #V by 3
+  /// @param[in] weights    positions w of the vertices before the displacement, #V by 3
   /// @param[in] stiffness  stiffness s, #V
-  /// @param[in] evenness   factor of the stiffness along the surface. With a value above 1,
-  ///   triangles become more nearly equilateral.
+  /// @param[in] evenness   factor of the stiffness in directions along the surface. With a value
+  ///   above 1, triangles become more nearly equilateral.
   /// @return displacements d, #V by 3
   /// @throws Aborted
   Points solve(

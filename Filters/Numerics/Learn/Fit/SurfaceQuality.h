@@ -1,7 +1,7 @@
 /// Evaluate the quality of a learned surface by its samples.
 ///
-/// Own construction, not from a publication: each defect is measured as a fraction, and compared
-/// with a tolerance. A reference surface is not needed.
+/// Own construction, not from a publication: each defect is measured as a fraction of the samples
+/// or edges, and compared with a tolerance. A reference surface is not needed.
 
 #ifndef ConformalSurfaceQuality_h
 #define ConformalSurfaceQuality_h
@@ -12,11 +12,11 @@
 
 namespace conformal
 {
-/// Defects of a surface, as fractions in [0, 1]. To compute fractions of samples, each sample is
-/// weighted by the surface area that it represents.
+/// Defects of a surface, as fractions in [0, 1]. In fractions of samples, the weight of a sample is
+/// the surface area that it represents. evaluateSurface() describes each defect.
 struct SurfaceQuality
 {
-  double UncoveredFraction = 0.0; ///< fraction of samples far from the surface
+  double UncoveredFraction = 0.0; ///< fraction of samples that are far from the surface
   /// Fraction of samples at which the surface normal points to the wrong side.
   double InvertedFraction = 0.0;
   double FoldedFraction = 0.0; ///< fraction of edges with a dihedral angle below 30 degrees
@@ -29,8 +29,8 @@ struct SurfaceQuality
   double LayerDistance = 0.0;
 };
 
-/// Largest tolerated fractions of defects. Well-learned surfaces of closed scans have less than
-/// half of these fractions.
+/// Tolerances: maximum fraction of each defect in a good surface. Well-learned surfaces of closed
+/// scans have less than half of these fractions.
 struct ToleratedQuality
 {
   static constexpr double UncoveredFraction = 0.002, InvertedFraction = 0.002,
@@ -41,20 +41,23 @@ struct ToleratedQuality
 /// samples' unit (maximum radius 1).
 ///
 /// - UncoveredFraction: A sample is uncovered if its distance from the surface exceeds a limit. The
-///   limit is 1.5 times the typical spacing of the cloud, or five standard deviations of larger
-///   noise. Outliers (samples far from all others) are ignored.
-/// - InvertedFraction: At a sample, the surface normal is compared with the normal of the sample.
-///   If the samples have no consistent normals, surface normals are tested by winding numbers
-///   (WindingNumbers.h). The winding number decreases along a correct outward normal. The winding
-///   number does not decrease if two sides of the surface share samples, or if the surface is
-///   inside out.
+///   limit is 1.5 times the typical distance between neighboring samples, or five standard
+///   deviations of the noise, whichever is larger. Outliers (samples far from all others) are
+///   ignored.
+/// - InvertedFraction: At each sample, the surface normal is compared with the normal of the
+///   sample. If the samples have no consistent normals, the surface normals are assigned to the
+///   samples. From these normals, the winding number of the samples is computed, a function of
+///   position (WindingNumbers.h). Along a correct outward normal, the winding number decreases. The
+///   winding number does not decrease if the surface is inside out, or if the same samples are near
+///   two sides of the surface.
 /// - UndersampledFraction: A sample is counted if its distance from the plane through its neighbors
 ///   is above 0.02. Samples are too sparse there for the curvature of the surface.
 /// - LayerDistance: A scan with registration errors may consist of two layers. The offset of a
 ///   sample is its signed distance from the surface. In two layers, offsets of neighboring samples
-///   have two values. The kurtosis of such offsets is nearer to 1 than to 3, which is the kurtosis
-///   of noise. However, offsets of a curved object from a coarse mesh may also have two values.
-///   Therefore, neighbors near a common quadratic polynomial do not count as layers.
+///   have about two values. The kurtosis is 1 for two values, and 3 for Gaussian noise. Layers are
+///   therefore found by a kurtosis nearer to 1 than to 3. However, offsets of a curved object from
+///   a coarse mesh may also have about two values. Therefore, neighboring samples that fit a common
+///   quadratic surface are not counted as layers.
 ///
 /// About 10,000 samples are used. All ranks use the same samples.
 ///
@@ -66,7 +69,8 @@ struct ToleratedQuality
 SurfaceQuality evaluateSurface(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, double noise, const Run& run = {});
 
-/// Reduce UncoveredFraction by the samples that a hull omitted on purpose.
+/// Reduce UncoveredFraction by the fraction of samples that a hull left out. A hull, the start
+/// surface of learning, leaves out samples far from it on purpose.
 /// @param[in] leftOut  number of omitted samples
 /// @param[in] all      total number of samples
 SurfaceQuality withoutLeftOut(SurfaceQuality quality, Index leftOut, Index all);

@@ -2,7 +2,8 @@
 /// are called patterns, as in \cite Liou2008.
 ///
 /// Own construction, not from a publication: patterns per area are counted. The mismatch error
-/// E_mis of \cite Liou2008 does not detect unsupported area.
+/// E_mis of \cite Liou2008 does not detect unsupported area, because it is measured from patterns
+/// to the surface only.
 
 #ifndef ConformalSurfaceSupport_h
 #define ConformalSurfaceSupport_h
@@ -19,14 +20,14 @@ namespace conformal
 /// Find unsupported vertices. Unsupported vertices are on webs (spurious membranes) between limbs,
 /// or on fillings of holes in the data.
 ///
-/// The number of patterns around a vertex is compared with the number expected for an area of this
-/// size. The neighborhood of the vertex is enlarged until about a hundred patterns are expected
-/// there. If the neighborhood contains less than a quarter of the expected number, the vertex is
-/// unsupported.
+/// The number of patterns around a vertex is compared with the number expected for an area of the
+/// same size, if patterns were spread evenly. The neighborhood of the vertex is enlarged until
+/// about a hundred patterns are expected there. If the neighborhood contains less than a quarter of
+/// the expected number, the vertex is unsupported.
 ///
 /// @param[in] positions  #V by 3
 /// @param[in] triangles  #F by 3
-/// @param[in] neighbors  vertexNeighbors() of the triangles
+/// @param[in] neighbors  adjacent vertices of each vertex: the result of vertexNeighbors()
 /// @param[in] masses     #F, total weight of the patterns projected to each triangle
 /// @return #V, true for unsupported vertices
 std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& triangles,
@@ -40,16 +41,16 @@ std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& 
 std::vector<bool> idleVertices(
   const Triangles& triangles, const std::vector<double>& masses, Index numberOfVertices);
 
-/// Find unsupported vertices, and all vertices without patterns that are connected to unsupported
-/// vertices. On a web, unsupportedVertices() finds only the center, and this function finds the
-/// whole web. For the parameters, see unsupportedVertices().
+/// Find unsupported vertices, and all vertices without patterns (idleVertices()) that are connected
+/// to unsupported vertices. On a web, unsupportedVertices() finds only the center, and this
+/// function finds the whole web. For the parameters, see unsupportedVertices().
 std::vector<bool> bareVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses);
 
-/// Select the marked vertices that are far from patterns. Let x be the pattern nearest to a vertex.
-/// Let h be the distance from x to the sixth nearest neighbor of x. The vertex is far from patterns
-/// if its distance to x is above 2 h. Vertices between evenly spaced rows of patterns, such as scan
-/// lines, are not selected.
+/// Select those of the marked vertices that are far from patterns. Let x be the pattern nearest to
+/// a vertex. Let h be the distance from x to the sixth nearest neighbor of x. The vertex is far
+/// from patterns if its distance to x is above 2 h. Vertices between evenly spaced rows of
+/// patterns, such as scan lines, are not selected.
 /// @param[in] marked    #V, true for vertices to test
 /// @param[in] patterns  all patterns, or an unbiased selection of them; not empty
 /// @return #V, true for selected vertices
@@ -62,9 +63,9 @@ std::vector<bool> farFromPatterns(
 double areaFraction(
   const Points& positions, const Triangles& triangles, const std::vector<bool>& vertices);
 
-/// Compute the unsupported area as a fraction of the surface area. The unsupported area is the area
-/// at the vertices that farFromPatterns() selects from those of bareVertices(). All ranks return
-/// the same value.
+/// Compute the unsupported area as a fraction of the surface area. To find the unsupported area,
+/// vertices are marked by bareVertices(), and selected by farFromPatterns(). All ranks return the
+/// same value.
 /// @param[in] masses  #F, total weight of the patterns projected to each triangle
 double unsupportedFraction(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const std::vector<double>& masses);

@@ -1,8 +1,9 @@
 /// Store the neurons of a self-organizing map in blocks, for fast search and update. Each neuron
 /// has a network position on the unit sphere, and a weight vector in space.
 ///
-/// Own construction, not from a publication: each block has bounds in space and on the sphere.
-/// Blocks out of reach are skipped, so that the search is fast and still exact.
+/// Own construction, not from a publication: each block of neurons has bounds in space and on the
+/// sphere. A search skips the blocks whose bounds are too far away. The search is therefore fast,
+/// and still exact.
 
 #ifndef ConformalNeuronBlocks_h
 #define ConformalNeuronBlocks_h
@@ -14,9 +15,10 @@
 
 namespace conformal
 {
-/// Neurons in blocks that are compact on the sphere. Several blocks form a group. Each block and
-/// each group has two bounds. A fixed ball contains the network positions n_i of the neurons. A box
-/// contains the current weight vectors w_i of the neurons.
+/// Neurons in blocks. The neurons of a block are close together on the sphere, and several blocks
+/// form a group. Each block and each group has two bounds:
+/// - a ball that contains the network positions n_i, which do not change
+/// - a box that contains the current weight vectors w_i
 class NeuronBlocks
 {
 public:
@@ -32,8 +34,8 @@ public:
   /// neighborhood radius:
   /// w_i += alpha exp(-|r - n_i|^2 / (2 sigma^2)) (x - w_i).
   ///
-  /// Neurons farther than Reach times sigma from r are not moved. The factors of x - w_i have
-  /// relative errors of at most 1e-4.
+  /// Neurons with |r - n_i| above Reach times sigma are not moved. The computed factors of x - w_i
+  /// have relative errors of at most 1e-4.
   /// @param[in] x             pattern: a sample point
   /// @param[in] r             reference point of the pattern, a unit vector
   /// @param[in] learningRate  alpha
@@ -48,7 +50,7 @@ public:
   /// Distance on the sphere beyond which neurons are not moved, in units of the neighborhood
   /// radius.
   static constexpr float Reach = 4.0F;
-  /// Number of neurons in a block. Chosen by measurement: 32 and 64 are slightly slower.
+  /// Number of neurons in a block. By measurement, 32 and 64 are slightly slower.
   static constexpr int BlockSize = 48;
   static constexpr int GroupSize = 8; ///< number of blocks in a group
 

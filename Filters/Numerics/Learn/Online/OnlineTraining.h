@@ -14,17 +14,18 @@
 namespace conformal
 {
 /// Constants of \cite Liou2008, which are also options of trainConformalSOM(). Training consists of
-/// epochs of many steps. Here t is the number of the epoch, counted from 0.
+/// epochs, each of many steps. In a step, a sample moves the neurons near it. Here t is the number
+/// of the epoch, counted from 0.
 struct OnlineOptions
 {
   int NumberOfEpochs = 80;
   int SamplesPerEpoch = 8000; ///< number of steps in an epoch; each step uses one sample
-  /// Initial neighborhood radius sigma_0, a length on the unit sphere. The radius of epoch t is
-  /// sigma_0 exp(-t / tau_1).
+  /// Initial neighborhood radius sigma_0, a length on the unit sphere. Within about this distance,
+  /// neurons move together. The radius of epoch t is sigma_0 exp(-t / tau_1).
   double InitialNeighborhoodRadius = 0.4;
   double NeighborhoodTimeConstant = 20.0; ///< time constant tau_1 of the radius, in epochs
-  /// Initial learning rate alpha_0, in [0, 1). The learning rate of epoch t is alpha_0 exp(-t /
-  /// tau_2).
+  /// Initial learning rate alpha_0, the factor of moves toward a sample, in [0, 1). The learning
+  /// rate of epoch t is alpha_0 exp(-t / tau_2).
   double InitialLearningRate = 0.01;
   double LearningRateTimeConstant = 60.0; ///< time constant tau_2 of the learning rate, in epochs
 };
@@ -33,7 +34,8 @@ struct OnlineOptions
 struct OnlineTrainingOptions : OnlineOptions
 {
   int Frequency = 36; ///< frequency of the geodesic sphere that is the network
-  /// Reference point of a pattern, see ReferencePoint.h; Automatic means Conformal.
+  /// Kind of reference point: the point on the unit sphere around which a pattern moves neurons,
+  /// see ReferencePoint.h. Automatic means Conformal.
   conformal::ReferencePoint ReferencePoint = conformal::ReferencePoint::Automatic;
   unsigned int RandomSeed = 1; ///< seed of the selection of samples
 };
@@ -42,9 +44,10 @@ struct OnlineTrainingOptions : OnlineOptions
 /// whose vertices are the neurons. Each neuron has a weight vector, its position in space. Weight
 /// vectors are in the samples' unit (maximum radius 1).
 ///
-/// Implementation note: samples may have priorities. In the second half of the epochs, when the
-/// neighborhood is narrow, samples are drawn in proportion to their priorities. With priorities
-/// from the beginning, too few neurons would represent parts of low priority.
+/// Implementation note: samples may have priorities. In the second half of the epochs, samples are
+/// drawn with probabilities proportional to their priorities. In the first half, all samples have
+/// equal probabilities. With priorities from the beginning, too few neurons would represent parts
+/// of low priority.
 /// @param[in] network  geodesic sphere of options.Frequency: positions n_i, and triangles
 /// @param[in] start    initial weight vectors w_i(0)
 /// @throws Aborted

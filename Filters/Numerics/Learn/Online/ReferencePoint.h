@@ -7,19 +7,20 @@
 
 namespace conformal
 {
-/// Kind of reference point. The projection of a pattern is its closest point on the mesh, in some
-/// triangle. An image of the projection is the corresponding point of the network triangle.
+/// Kind of reference point. The projection of a pattern is its closest point on the learned mesh.
+/// The triangle that contains this point corresponds to a triangle of the network on the sphere. An
+/// image of the projection is a point of this network triangle.
 enum class ReferencePoint
 {
   Automatic, ///< Conformal in Online mode, Affine in Batch mode
-  /// Conformal image of the projection, Eqs. 4 and 5 of \cite Liou2008. This defines the conformal
-  /// self-organizing map (CSM).
+  /// Image of the projection by the conformal map between both triangles, Eqs. 4 and 5 of
+  /// \cite Liou2008. This defines the conformal self-organizing map (CSM).
   Conformal,
   /// Network position of one neuron, as in the plain self-organizing map (SOM). In Online mode,
   /// this neuron is the one closest to the pattern. In Batch mode, this neuron has the largest
   /// barycentric weight at the projection.
   Winner,
-  Affine ///< image of the projection with the same barycentric weights
+  Affine ///< image of the projection with the same barycentric weights in both triangles
 };
 }
 
