@@ -27,6 +27,9 @@
  *   (AreaBalance).
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
  *   to 0 over holes of the scan. vtkCurvedSeamlessSurface interpolates it.
+ * - point array "StandardError" (double, 1 component), for an adaptive mesh in Batch mode: standard
+ *   error of the point along the normal, in the points' unit. It is large where points are few or
+ *   noisy, or where the object is rough.
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
  *   neuron and the input points assigned to it; 0 without points. Of a large cloud, 12 points for
  *   each neuron are used.
@@ -51,6 +54,8 @@
  * - field data "NoiseLevel" (1 value): estimated standard deviation of the noise, in the points'
  *   unit; 0 where detail explains the distances between points and mesh. In Online mode it is 0,
  *   and so are all fractions; AreaRatio is 1. Each bad value causes a warning.
+ * - field data "EffectiveDegreesOfFreedom" (1 value): number of free parameters of the fit of an
+ *   adaptive mesh: NumberOfNeurons without smoothing, few for a smooth object. 0 if unknown.
  * - field data "StartedFromHull" (1 value): 1 if the mesh was learned from a hull.
  * - field data "StartedFromMesh" (1 value): 1 if the mesh was learned from a mesh: the input's own
  *   polygons or the mesh on input port 1.
@@ -286,8 +291,10 @@ public:
 
   ///@{
   /**
-   * Batch: weight of the Laplacian in the fit, per point of a neuron. Not negative. Default is
-   * 0.01. Larger values smooth noise. Noise that is detected in the points increases the weight.
+   * Batch: factor of the smoothness that the fit finds. Not negative. Default is 1. The fit of an
+   * adaptive mesh finds by cross-validation how smooth the object is in each part, and how noisy
+   * the points are there. The fit of a geodesic mesh has one smoothness, which depends on the
+   * noise.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -399,7 +406,7 @@ private:
   int SamplesPerEpoch = 8000;
   double OnlineConstants[4] = { 0.4, 20.0, 0.01, 60.0 };
   int FitIterations = 10;
-  double Smoothness = 0.01;
+  double Smoothness = 1.0;
   int StartingShape = AUTOMATIC;
   int HullMethod = AUTOMATIC_METHOD;
   bool GenerateStages = false;

@@ -24,10 +24,11 @@ class MultifrontalCholesky
 public:
   /// Factor a matrix. Its off-diagonal entries are the negated weights.
   /// @param[in] places  one position for each unknown; they determine only the elimination order
+  /// @param[in] rings  number of rings of neighbors that the matrix couples; limits the work
   /// @throws NumericalFailure if the matrix is not positive definite, or if its factor has too many
   ///   entries because neighboring unknowns are far apart
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
-    const Points& places, const Run& run = {});
+    const Points& places, const Run& run = {}, int rings = 1);
 
   /// Solve the equations for each column.
   /// @param[in,out] columns  right-hand sides; on return, the solutions

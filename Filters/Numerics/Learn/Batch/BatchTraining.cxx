@@ -344,7 +344,8 @@ FittedMesh trainBatch(
   LeastSquaresFitOptions fit;
   fit.Iterations = options.Fit.Iterations;
   // Increase the smoothness with the noise; distant samples are then noise, not limb ends.
-  fit.LastSmoothness = options.Fit.Smoothness + SmoothnessForNoise * noise * noise;
+  fit.LastSmoothness =
+    options.Fit.Smoothness * (FitOptions::UsualSmoothness + SmoothnessForNoise * noise * noise);
   fit.FirstSmoothness = fit.LastSmoothness;
   fit.Evenness = Evenness;
   fit.AutomaticPriority = options.Fit.AutomaticPriority && noise < LittleNoise;

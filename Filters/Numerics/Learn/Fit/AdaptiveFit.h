@@ -44,8 +44,9 @@ struct AdaptiveStart : LearnedMesh
 /// samples' unit and has no map to the sphere.
 ///
 /// The start is remeshed (Remeshing.h) and fitted (LeastSquaresFit.h) alternately, with decreasing
-/// smoothness. The final fit keeps the connectivity. Where triangles cut off sharp edges of the
-/// object, vertices are then moved onto these edges (SharpEdges.h).
+/// smoothness. The final fit keeps the connectivity. The surface is then made fair (FairFit.h).
+/// Where triangles cut off sharp edges of the object, vertices are finally moved onto these edges
+/// (SharpEdges.h).
 ///
 /// The noise is estimated from the errors of this mesh and of a mesh with a quarter of the vertices
 /// (NoiseEstimate.h). The estimate determines the smoothness of the final fit. If the noise is

@@ -7,10 +7,13 @@ namespace conformal
 {
 struct FitOptions
 {
+  /// Usual weight of the Laplacian term of a vertex, relative to the mean weight of its samples.
+  static constexpr double UsualSmoothness = 0.01;
+
   /// Number of iterations; each one uses new foot points of the samples.
   int Iterations = 10;
-  /// Weight of the Laplacian term of a vertex, relative to the mean weight of a vertex's samples.
-  double Smoothness = 0.01;
+  /// Factor of the smoothness that follows from the samples, or of the usual one.
+  double Smoothness = 1.0;
   bool AutomaticPriority = true; ///< whether to weight samples by distance, see LeastSquaresFit.h
 };
 }

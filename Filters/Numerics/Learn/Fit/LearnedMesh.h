@@ -41,6 +41,8 @@ struct FittedMesh : LearnedMesh
   double Noise = 0.0; ///< standard deviation of the noise, if the maximum radius is 1
   /// Fraction of the area without samples nearby, see unsupportedFraction().
   double UnsupportedFraction = 0.0;
+  std::vector<double> StandardError; ///< #V, along the normal, if the maximum radius is 1; or empty
+  double DegreesOfFreedom = 0.0;     ///< number of free parameters of the surface; 0 if unknown
   /// Area of the mesh divided by the area of the surface before the fit.
   double AreaRatio = 1.0;
 };

@@ -1,0 +1,50 @@
+/// Fairing of a fitted mesh, as smooth in each place as the samples show the object to be.
+
+#ifndef ConformalFairFit_h
+#define ConformalFairFit_h
+
+#include "Base/Run.h"
+#include "Base/Types.h"
+#include "Cloud/TrainingSamples.h"
+#include "Learn/Fit/FairEquations.h"
+#include "Mesh/Mesh.h"
+
+#include <vector>
+
+namespace conformal
+{
+struct FairFitOptions : FairSamplesOptions
+{
+  double Smoothness = 1.0; ///< factor of the weight that the samples choose, in [1e-6, 1e6]
+};
+
+struct FairFitResult
+{
+  std::vector<double> StandardError; ///< #V, along the normals; max radius 1
+  double DegreesOfFreedom = 0.0;     ///< of the surface; #V for one that is not smoothed
+  /// Median over places of the samples' variance along the normal: noise, and detail that is too
+  /// fine for the mesh.
+  double Variance = 0.0;
+};
+
+/// Move the vertices of a fitted mesh along their normals, to minimize the squared distances of the
+/// samples plus a weight times the squared change of mean curvature (FairEquations.h).
+///
+/// The first weight is that of generalized cross-validation \cite Craven1979, with degrees of
+/// freedom from a random vector \cite Hutchinson1989. Then weights differ by place; own
+/// construction. Both noise and change of curvature are taken for Gaussian, with variances that
+/// differ by place. Each is the mean around a vertex of what a solution leaves, and of what its
+/// uncertainty adds, as in a step of the EM algorithm \cite Dempster1977. The next solution has
+/// these variances. So a smooth part is smoothed, and detail, a sharp edge too, stays.
+///
+/// Vertices in holes of the data stay, and so do vertices at edges sharper than about 50 degrees.
+///
+/// @param[in,out] mesh  closed; vertices in the samples' unit, fitted by least squares
+/// @throws NumericalFailure where the equations cannot be solved; the mesh is then as it was
+/// @throws Aborted
+/// @post the same bits for any number of threads and ranks
+FairFitResult fairFit(
+  const TrainingSamples& samples, const FairFitOptions& options, Mesh& mesh, const Run& run = {});
+}
+
+#endif
