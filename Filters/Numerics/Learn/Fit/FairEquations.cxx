@@ -223,8 +223,10 @@ SampleDistances::Sum SampleDistances::sum(const Eigen::VectorXd& precisions) con
       sum.Right[ids[k]] += precision * own.Right[k];
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> products(own.Products);
+    // The symmetric root, since rounding may flip eigenvectors.
     const Eigen::Matrix3d root = products.eigenvectors() *
-      (precision * products.eigenvalues()).cwiseMax(0.0).cwiseSqrt().asDiagonal();
+      (precision * products.eigenvalues()).cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+      products.eigenvectors().transpose();
     for (Index p = 0; p < NumberOfProbes; ++p)
     {
       for (int k = 0; k < 3; ++k)
