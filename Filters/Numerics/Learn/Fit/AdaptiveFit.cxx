@@ -131,6 +131,19 @@ void firstFit(const TrainingSamples& samples, LeastSquaresFitOptions& fitting, L
   }
 }
 
+/// Move vertices onto sharp edges, and find these vertices.
+std::vector<bool> sharpened(LearnedMesh& surface)
+{
+  const Points before = surface.Positions;
+  sharpenEdges(surface);
+  std::vector<bool> moved(before.rows());
+  for (Index i = 0; i < before.rows(); ++i)
+  {
+    moved[i] = surface.Positions.row(i) != before.row(i);
+  }
+  return moved;
+}
+
 /// Fair the surface, where there is one, and measure the noise again. The variance that a fair
 /// surface leaves is that of the noise, unless there is more detail than noise.
 void fair(const TrainingSamples& samples, const AdaptiveFitOptions& options,
@@ -147,6 +160,7 @@ void fair(const TrainingSamples& samples, const AdaptiveFitOptions& options,
   fairing.SamplesPerRound = options.SamplesPerVertex * options.NumberOfVertices;
   fairing.RandomSeed = options.RandomSeed;
   fairing.Belongs = start.Belongs;
+  fairing.Creases = sharpened(result);
   try
   {
     FairFitResult faired = fairFit(samples, fairing, result, run);

@@ -24,6 +24,7 @@ namespace
 using Entries = std::vector<Eigen::Triplet<double>>;
 
 constexpr double MaximumCotangent = 20.0;
+constexpr double ShareOfSharp = 0.01;      // root of the share of the energy around creases
 constexpr double MinimumAnisotropy = 0.03; // ratio of variances by direction
 constexpr double MinimumArea = 1e-3;       // around a vertex, of the mean
 
@@ -389,7 +390,8 @@ Tensors CurvatureChange::homogeneousSquaresAt(const Eigen::VectorXd& deviations)
 }
 
 //------------------------------------------------------------------------------
-CurvatureChange::Energy CurvatureChange::energy(const Tensors& variances) const
+CurvatureChange::Energy CurvatureChange::energy(
+  const Tensors& variances, const std::vector<bool>& sharp) const
 {
   const Index size = variances.rows();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(size);
@@ -407,7 +409,9 @@ CurvatureChange::Energy CurvatureChange::energy(const Tensors& variances) const
     }
     const Eigen::Matrix<double, 3, 2> frame = frameOf(slopes);
     const Eigen::Matrix2d root = inverseRoot(frame.transpose() * fullTensor(mean) * frame);
-    const Eigen::Matrix<double, 2, 3> rows = root * frame.transpose() * slopes;
+    const bool across = sharp[ids[0]] || sharp[ids[1]] || sharp[ids[2]];
+    const Eigen::Matrix<double, 2, 3> rows =
+      (across ? ShareOfSharp : 1.0) * root * frame.transpose() * slopes;
     const Eigen::Matrix3d products = rows.transpose() * rows;
     const Vector3 pulls = products *
       Vector3(this->Curvatures[ids[0]], this->Curvatures[ids[1]], this->Curvatures[ids[2]]);

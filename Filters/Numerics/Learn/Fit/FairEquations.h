@@ -113,7 +113,9 @@ public:
   };
   /// @param[in] variances  expected squares at each vertex, not zero. They differ by direction, so
   ///   that a ridge is smoothed along, but not across.
-  Energy energy(const Tensors& variances) const;
+  /// @param[in] sharp      #V, vertices on creases; the energy is not summed around them, except
+  ///   for a small share that keeps the equations regular
+  Energy energy(const Tensors& variances, const std::vector<bool>& sharp) const;
 
 private:
   Tensors squaresOf(const Eigen::VectorXd& curvatures) const;

@@ -230,11 +230,13 @@ public:
     const CurvatureChange change(this->Surface, normals);
     const std::vector<bool> bare = bareVertices(
       this->Surface.Positions, this->Surface.Triangles, this->Neighbors, distances.masses());
-    const std::vector<bool> sharp = sharpVertices(this->Surface, normals);
+    this->Sharp = sharpVertices(this->Surface, normals);
     Eigen::VectorXd anchors(this->Ones.size());
     for (Index i = 0; i < anchors.size(); ++i)
     {
-      anchors[i] = sharp[i] ? AnchorOfSharp : bare[i] ? 1.0 : 0.0;
+      this->Sharp[i] =
+        this->Sharp[i] || (!this->Options.Creases.empty() && this->Options.Creases[i]);
+      anchors[i] = this->Sharp[i] ? AnchorOfSharp : bare[i] ? 1.0 : 0.0;
     }
     this->solve(distances, change, anchors, steps.next());
     for (Index i = 0; i < this->Surface.Positions.rows(); ++i)
@@ -261,16 +263,23 @@ public:
   }
 
 private:
-  /// Means of squares around each vertex, plus a share of the mean of all.
-  Tensors changesAround(const Tensors& squares, double share) const
+  /// Means of squares around each vertex, without creases, plus a share of the mean of all.
+  Tensors changesAround(Tensors squares, double share) const
   {
     constexpr double smallest = 1e-300; // of a plane
+    constexpr double few = 1e-6;        // of a vertex, where all are on creases
+    Eigen::VectorXd counts = this->Ones;
+    for (Index i = 0; i < counts.size(); ++i)
+    {
+      counts[i] = this->Sharp[i] ? few : 1.0;
+    }
+    squares.array().colwise() *= counts.array();
     Tensors changes(squares.rows(), squares.cols());
     for (Index c = 0; c < squares.cols(); ++c)
     {
-      changes.col(c) = meanAround(this->Neighbors, squares.col(c), this->Ones, SpreadOfChange);
+      changes.col(c) = meanAround(this->Neighbors, squares.col(c), counts, SpreadOfChange);
     }
-    changes.leftCols(3).array() += share * changes.leftCols(3).mean() + smallest;
+    changes.leftCols(3).array() += share * squares.leftCols(3).mean() + smallest;
     return changes;
   }
 
@@ -287,7 +296,7 @@ private:
       this->Changes = this->changesAround(
         change.squaresAt(Eigen::VectorXd::Zero(this->Ones.size())), FirstChange);
     }
-    const CurvatureChange::Energy energy = change.energy(this->Changes);
+    const CurvatureChange::Energy energy = change.energy(this->Changes, this->Sharp);
     const FairSystem system(sum, distances.count(), energy, this->Surface.Positions);
     this->Last = first
       ? system.solveByCrossValidation(run)
@@ -322,6 +331,7 @@ private:
   const Eigen::VectorXd Ones;
   Tensors Changes;            // variances of the change of curvature, by place
   Eigen::VectorXd Precisions; // of samples, by place
+  std::vector<bool> Sharp;    // vertices that stay on creases
   Solution Last;
   double Variance = 0.0;
 };

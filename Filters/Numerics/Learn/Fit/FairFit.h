@@ -15,7 +15,8 @@ namespace conformal
 {
 struct FairFitOptions : FairSamplesOptions
 {
-  double Smoothness = 1.0; ///< factor of the weight that the samples choose, in [1e-6, 1e6]
+  std::vector<bool> Creases; ///< #V, vertices on sharp edges, which stay; empty for none
+  double Smoothness = 1.0;   ///< factor of the weight that the samples choose, in [1e-6, 1e6]
 };
 
 struct FairFitResult
@@ -37,7 +38,7 @@ struct FairFitResult
 /// uncertainty adds, as in a step of the EM algorithm \cite Dempster1977. The next solution has
 /// these variances. So a smooth part is smoothed, and detail, a sharp edge too, stays.
 ///
-/// Vertices in holes of the data stay, and so do vertices at edges sharper than about 50 degrees.
+/// Vertices in holes of the data and on creases stay, and creases are not smoothed across.
 ///
 /// @param[in,out] mesh  closed; vertices in the samples' unit, fitted by least squares
 /// @throws NumericalFailure where the equations cannot be solved; the mesh is then as it was

@@ -97,7 +97,7 @@ TEST(FairEquations, ARidgeIsSmoothedAlongButNotAcross)
   // Change of curvature is expected along z.
   Tensors variances = Tensors::Zero(size, 6);
   variances.col(2).setConstant(1.0);
-  const CurvatureChange::Energy energy = change.energy(variances);
+  const CurvatureChange::Energy energy = change.energy(variances, std::vector<bool>(size, false));
   const Eigen::VectorXd across = waves(0), along = waves(1);
   const double ofAcross =
     across.dot(energy.Matrix * across) / traceOf(change.homogeneousSquaresAt(across));
@@ -133,7 +133,7 @@ TEST(FairEquations, EnergyIsTheWeightedSumOfSquares)
   // A variance of one half in each direction makes the energy the sum of the squares.
   Tensors variances = Tensors::Zero(size, 6);
   variances.leftCols(3).setConstant(0.5);
-  const CurvatureChange::Energy energy = change.energy(variances);
+  const CurvatureChange::Energy energy = change.energy(variances, std::vector<bool>(size, false));
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(size),
                         moves = 0.01 * mesh.Positions.col(0).cwiseAbs2();
   const double constant = traceOf(change.squaresAt(still));
