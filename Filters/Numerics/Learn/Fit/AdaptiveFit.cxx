@@ -24,7 +24,9 @@ namespace
 constexpr int FirstIterations = 6, Iterations = 3; // of remeshing
 constexpr Index SamplesOfTurn = 4;                 // in an iteration, for each vertex
 constexpr double FirstSmoothness = 0.2; // of a turn, since remeshing moves vertices off the samples
-constexpr int IterationsOfFairing = 2;  // iterations of the final fit that fairing replaces
+// Iterations of the final fit that fairing replaces. With noise, more of them only make the surface
+// rougher, which hides sharp edges.
+constexpr int IterationsOfFairing = 2, IterationsInNoise = 3;
 
 // The noise is estimated beside a mesh of a quarter of the vertices.
 constexpr Index Coarser = 4;
@@ -242,7 +244,9 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
   last.LastSmoothness +=
     smoothnessFor(noise, result, std::min(last.SamplesPerIteration, samples.totalSize()));
   last.FirstSmoothness = last.LastSmoothness;
-  last.AutomaticPriority = options.AutomaticPriority && noise.ToDetail < LittleNoise;
+  const bool noisy = !(noise.ToDetail < LittleNoise);
+  last.AutomaticPriority = options.AutomaticPriority && !noisy;
+  last.Iterations -= noisy ? std::min(last.Iterations / 2, IterationsInNoise) : 0;
   const std::vector<double> masses = leastSquaresFit(samples, last, result, steps.next());
   fair(samples, options, start, noise, result, steps.next());
   sharpenEdges(result, steps.next());
