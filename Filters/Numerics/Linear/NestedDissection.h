@@ -27,7 +27,8 @@ struct NestedDissection
 
 /// Compute an elimination order by recursive bisection. The unknowns are divided at the median
 /// along the longest side of their bounding box. The separator consists of the unknowns in one half
-/// that have neighbors in the other half.
+/// that have neighbors in the other half. It is one unknown if there are none, as between pieces
+/// that are not connected.
 /// @param[in] graph   neighbors of each unknown; symmetric, without loops
 /// @param[in] places  one position for each unknown
 NestedDissection dissect(const Adjacency& graph, const Points& places);

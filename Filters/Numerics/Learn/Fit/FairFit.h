@@ -15,8 +15,8 @@ namespace conformal
 {
 struct FairFitOptions : FairSamplesOptions
 {
-  std::vector<bool> Creases; ///< #V, vertices on sharp edges, which stay; empty for none
-  double Smoothness = 1.0;   ///< factor of the weight that the samples choose, in [1e-6, 1e6]
+  std::vector<bool> Creases; ///< #V, whether a vertex is on a sharp edge; or empty
+  double Smoothness = 1.0;   ///< factor of the weight that is found, in [1e-6, 1e6]
 };
 
 struct FairFitResult
@@ -31,14 +31,16 @@ struct FairFitResult
 /// Move the vertices of a fitted mesh along their normals, to minimize the squared distances of the
 /// samples plus a weight times the squared change of mean curvature (FairEquations.h).
 ///
-/// The first weight is that of generalized cross-validation \cite Craven1979, with degrees of
-/// freedom from a random vector \cite Hutchinson1989. Then weights differ by place; own
-/// construction. Both noise and change of curvature are taken for Gaussian, with variances that
-/// differ by place. Each is the mean around a vertex of what a solution leaves, and of what its
-/// uncertainty adds, as in a step of the EM algorithm \cite Dempster1977. The next solution has
-/// these variances. So a smooth part is smoothed, and detail, a sharp edge too, stays.
+/// The first solution has variances of the change of curvature in proportion to those of the fitted
+/// mesh. Its weight is found by generalized cross-validation \cite Craven1979, with degrees of
+/// freedom from a random vector \cite Hutchinson1989. For the second solution, noise and change of
+/// curvature are Gaussian, with variances that differ by position; own construction. A variance is
+/// the mean around a vertex of the squares that the first solution leaves, plus those of its
+/// uncertainty, as in a step of the EM algorithm \cite Dempster1977. Variances of the change also
+/// differ by direction. Smooth parts are thus smoothed, and detail and ridges remain.
 ///
-/// Vertices in holes of the data and on creases stay, and creases are not smoothed across.
+/// Vertices in holes of the data and on creases stay. The surface is not smoothed across creases.
+/// Creases are options.Creases, and edges too sharp for displacements along normals.
 ///
 /// @param[in,out] mesh  closed; vertices in the samples' unit, fitted by least squares
 /// @throws NumericalFailure where the equations cannot be solved; the mesh is then as it was
