@@ -31,6 +31,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkConformalSOM);
@@ -318,6 +319,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   glue::AddLengths(data, "NoiseLevel", { result.Noise * samples.scale() }, frame);
   glue::AddLengths(
     data, "LayerDistance", { result.Quality.LayerDistance * samples.scale() }, frame);
+  AddNumber(data, "EffectiveDegreesOfFreedom", result.DegreesOfFreedom);
   AddNumber(data, "StartedFromHull", static_cast<long long>(result.FromHull));
   AddNumber(data, "StartedFromMesh", static_cast<long long>(result.FromMesh));
   AddNumber(data, "HullMethod", static_cast<long long>(result.Hull));
@@ -350,6 +352,15 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   glue::SetSurface(surface, result.Positions, result.Triangles, frame);
   glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
   glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
+  if (!result.StandardError.empty())
+  {
+    std::vector<double> errors = result.StandardError;
+    for (double& error : errors)
+    {
+      error *= samples.scale();
+    }
+    glue::AddLengths(surface->GetPointData(), "StandardError", std::move(errors), frame);
+  }
   glue::AddLengths(surface->GetPointData(), "QuantizationError",
     conformal::quantizationErrors(samples, result, options, steps.next()), frame);
   const bool isFitted =

@@ -32,6 +32,9 @@
  *   (AreaBalance).
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
  *   to 0 over holes in the data. vtkCurvedSeamlessSurface interpolates this array.
+ * - point array "StandardError" (double, 1 component): standard error of the vertex along the
+ *   normal, in the unit of the coordinates. It is large where points are few or noisy, or where the
+ *   object is rough. Only an adaptive mesh learned with TrainingMode BATCH has this array.
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
  *   neuron and the input points assigned to this neuron; 0 if no points are assigned. If the input
  *   has more than 12 points for each neuron, only a selection of 12 points for each neuron is used.
@@ -61,6 +64,9 @@
  *   the coordinates. It is 0 if details of the object explain the distances between points and
  *   mesh. If TrainingMode is ONLINE, NoiseLevel and all fractions are 0, and AreaRatio is 1. If one
  *   of the fractions, LayerDistance or NoiseLevel is bad, there is a warning.
+ * - field data "EffectiveDegreesOfFreedom" (1 value): number of free parameters of the fit of an
+ *   adaptive mesh. Without smoothing, this is the number of vertices. It is small for a smooth
+ *   object, and 0 if it is unknown.
  * - field data "StartedFromHull" (1 value): 1 if the mesh was learned from a hull, a closed surface
  *   around the points (vtkGenusZeroHull).
  * - field data "StartedFromMesh" (1 value): 1 if the mesh was learned from the polygons of the
@@ -317,10 +323,10 @@ public:
 
   ///@{
   /**
-   * Weight of the smoothness (Laplacian) term in the least-squares fit of batch learning. The unit
-   * is the total weight of the input points near a neuron, averaged over all neurons. At least 0.
-   * Default is 0.01. Larger values smooth noise. If noise is detected in the points, the filter
-   * increases the weight.
+   * Factor of the smoothness that the least-squares fit of batch learning finds. At least 0.
+   * Default is 1. For an adaptive mesh, the fit finds by cross-validation how smooth the object and
+   * how noisy the points are in each part. For a geodesic mesh, one weight is used everywhere,
+   * which increases with the noise.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -439,7 +445,7 @@ private:
   int SamplesPerEpoch = 8000;
   double OnlineConstants[4] = { 0.4, 20.0, 0.01, 60.0 };
   int FitIterations = 10;
-  double Smoothness = 0.01;
+  double Smoothness = 1.0;
   int StartingShape = AUTOMATIC;
   int HullMethod = AUTOMATIC_METHOD;
   bool GenerateStages = false;

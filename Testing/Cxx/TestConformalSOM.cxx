@@ -165,7 +165,7 @@ TEST(ConformalSOM, WritesTheContractsArraysInBothModes)
     contract::ExpectArray(
       filter->GetOutput()->GetFieldData(), "UnsupportedFraction", VTK_DOUBLE, 1, 1);
     for (const char* fraction : { "UncoveredFraction", "InvertedFraction", "FoldedFraction",
-           "AreaRatio", "NoiseLevel", "VertexShift" })
+           "AreaRatio", "NoiseLevel", "EffectiveDegreesOfFreedom", "VertexShift" })
     {
       contract::ExpectArray(filter->GetOutput()->GetFieldData(), fraction, VTK_DOUBLE, 1, 1);
     }

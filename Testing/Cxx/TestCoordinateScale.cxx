@@ -37,8 +37,8 @@ struct Case
   int power(const std::string& array) const
   {
     static const std::map<std::string, int> common = { { "Points", 1 }, { "QuantizationError", 1 },
-      { "KernelWidth", 1 }, { "GridSpacing", 1 }, { "HoleWidth", 1 }, { "HoleDepth", 1 },
-      { "Distance", 1 } };
+      { "StandardError", 1 }, { "KernelWidth", 1 }, { "GridSpacing", 1 }, { "HoleWidth", 1 },
+      { "HoleDepth", 1 }, { "Distance", 1 } };
     for (const std::map<std::string, int>& powers : { this->Run.Powers, common })
     {
       const auto found = powers.find(array);

@@ -505,7 +505,7 @@ CASES = {
             "NumberOfNeurons=600": properties_of(NumberOfNeurons=600),
             "FitIterations=0": properties_of(FitIterations=0),
             "RandomSeed=2": properties_of(RandomSeed=2),
-            "Smoothness=1": properties_of(Smoothness=1.0),
+            "Smoothness=10": properties_of(Smoothness=10.0),
             **{f"PriorityArrayName,TrainingMode={mode}": several(
                 lambda object_: object_.SetInputDataObject(0, with_weights()),
                 properties_of(PriorityArrayName="Weight"), call("SetTrainingModeTo" + mode))

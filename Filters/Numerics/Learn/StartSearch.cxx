@@ -308,7 +308,12 @@ private:
         isFirst(this->Samples) ? PointView(dense) : PointView(), {}, {}, this->Samples.reduce());
       result = learn(denser);
       result.Positions = moved(std::move(result.Positions), denser, this->Samples);
-      result.Noise *= denser.scale() / this->Samples.scale();
+      const double ratio = denser.scale() / this->Samples.scale();
+      result.Noise *= ratio;
+      for (double& error : result.StandardError)
+      {
+        error *= ratio;
+      }
     }
     result.Quality = evaluateByMesh(result, this->Samples, *this->Mesh, run.unwatched());
     return result;

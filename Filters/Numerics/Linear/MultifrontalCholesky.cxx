@@ -20,7 +20,7 @@ constexpr Index LargeFront = 500;
 
 //------------------------------------------------------------------------------
 MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
-  const std::vector<double>& diagonal, const Points& places, const Run& run)
+  const std::vector<double>& diagonal, const Points& places, const Run& run, int rings)
 {
   const double size = static_cast<double>(places.rows());
   Steps steps(run, { 0.06, 0.03, 0.91 }); // dissection, boundaries, elimination
@@ -38,8 +38,9 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
     levels[level].push_back(part);
     total += this->work(part);
   }
-  // The dissection of a surface needs about 15 n^1.5 multiplications.
-  if (total > 1e8 + 300.0 * size * std::sqrt(size))
+  // The dissection of a surface needs about 15 n^1.5 multiplications. The width of its separators
+  // is the number of rings.
+  if (total > 1e8 + 300.0 * rings * rings * rings * size * std::sqrt(size))
   {
     throw NumericalFailure("the surface cannot be cut into small parts");
   }

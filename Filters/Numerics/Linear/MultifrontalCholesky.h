@@ -28,10 +28,11 @@ public:
   /// Factor a symmetric matrix. The off-diagonal entries are the weights times -1.
   /// @param[in] places  position of each unknown in space. Positions determine only the sequence in
   ///   which unknowns are eliminated.
+  /// @param[in] rings  number of rings of neighbors that the matrix couples; limits the work
   /// @throws NumericalFailure if the matrix is not positive definite, or its factor has too many
   ///   entries. The factor has many entries if neighboring unknowns are far apart in space.
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
-    const Points& places, const Run& run = {});
+    const Points& places, const Run& run = {}, int rings = 1);
 
   /// Solve the linear equations for each column.
   /// @param[in,out] columns  on input, the right-hand sides. On return, the solutions.

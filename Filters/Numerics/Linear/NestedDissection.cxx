@@ -28,10 +28,12 @@ public:
     if (end - begin > LeafSize)
     {
       const auto [left, right] = this->cut(begin, end);
-      if (left > begin && right < end)
+      // Halves that are not connected need no separator, but a part has one.
+      const int separator = std::min(right, end - 1);
+      if (left > begin && separator > left)
       {
-        children = { this->part(begin, left, level + 1), this->part(left, right, level + 1) };
-        own = right;
+        children = { this->part(begin, left, level + 1), this->part(left, separator, level + 1) };
+        own = separator;
       }
     }
     this->Result.Parts.push_back({ own, end, level, std::move(children) });

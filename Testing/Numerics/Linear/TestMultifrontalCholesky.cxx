@@ -2,6 +2,7 @@
 
 #include "Base/NumericalFailure.h"
 #include "Base/Random.h"
+#include "Linear/NestedDissection.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
 
@@ -126,6 +127,22 @@ TEST(MultifrontalCholesky, RefusesWhatWouldFillUp)
   of.Diagonal.assign(size, 100.0);
   of.Places = conformal::Points::Random(size, 3);
   EXPECT_THROW(solved(of), conformal::NumericalFailure);
+}
+
+TEST(MultifrontalCholesky, DissectsPiecesThatAreNotConnected)
+{
+  const auto sphere = conformal::makeGeodesicSphere(10);
+  const Index size = sphere.Positions.rows(), count = sphere.Triangles.rows();
+  conformal::Points places(2 * size, 3);
+  conformal::Triangles triangles(2 * count, 3);
+  places << sphere.Positions, sphere.Positions;
+  places.bottomRows(size).col(0).array() += 5.0;
+  triangles << sphere.Triangles, (sphere.Triangles.array() + static_cast<int>(size)).matrix();
+  const auto neighbors = conformal::equalWeights(triangles, 2 * size).Neighbors;
+  for (const auto& part : conformal::dissect(neighbors, places).Parts)
+  {
+    EXPECT_LT(part.End - part.Begin, size / 10);
+  }
 }
 
 TEST(MultifrontalCholesky, PartsAreKeptApart)

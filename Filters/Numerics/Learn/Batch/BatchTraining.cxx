@@ -350,7 +350,8 @@ FittedMesh trainBatch(
   LeastSquaresFitOptions fit;
   fit.Iterations = options.Fit.Iterations;
   // With more noise, the fit is smoother. Distant samples are then noise, not limb ends.
-  fit.LastSmoothness = options.Fit.Smoothness + SmoothnessForNoise * noise * noise;
+  fit.LastSmoothness =
+    options.Fit.Smoothness * (FitOptions::UsualSmoothness + SmoothnessForNoise * noise * noise);
   fit.FirstSmoothness = fit.LastSmoothness;
   fit.Evenness = Evenness;
   fit.AutomaticPriority = options.Fit.AutomaticPriority && noise < LittleNoise;

@@ -1,6 +1,8 @@
 #include "Learn/Fit/AdaptiveFit.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
+#include "Learn/Fit/FairFit.h"
 #include "Learn/Fit/LeastSquaresFit.h"
 #include "Learn/Fit/NoiseEstimate.h"
 #include "Learn/Fit/SurfaceSupport.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -21,6 +24,9 @@ namespace
 constexpr int FirstIterations = 6, Iterations = 3; // of remeshing
 constexpr Index SamplesOfTurn = 4;                 // in an iteration, for each vertex
 constexpr double FirstSmoothness = 0.2; // of a turn, since remeshing moves vertices off the samples
+// Iterations of the final fit that fairing replaces. With noise, more of them only make the surface
+// rougher, which hides sharp edges.
+constexpr int IterationsOfFairing = 2, IterationsInNoise = 3;
 
 // The noise is estimated beside a mesh of a quarter of the vertices.
 constexpr Index Coarser = 4;
@@ -127,8 +133,51 @@ void firstFit(const TrainingSamples& samples, LeastSquaresFitOptions& fitting, L
   }
 }
 
+/// Move vertices onto sharp edges, and find these vertices.
+std::vector<bool> sharpened(LearnedMesh& surface)
+{
+  const Points before = surface.Positions;
+  sharpenEdges(surface);
+  std::vector<bool> moved(before.rows());
+  for (Index i = 0; i < before.rows(); ++i)
+  {
+    moved[i] = surface.Positions.row(i) != before.row(i);
+  }
+  return moved;
+}
+
+/// Fair the surface, where there is one, and measure the noise again. The variance that a fair
+/// surface leaves is that of the noise, unless there is more detail than noise.
+void fair(const TrainingSamples& samples, const AdaptiveFitOptions& options,
+  const AdaptiveStart& start, const Noise& noise, FittedMesh& result, const Run& run)
+{
+  if (samples.dimension() < 3 || options.Iterations == 0)
+  {
+    return;
+  }
+  constexpr double minimum = 1e-6, maximum = 1e6;
+  FairFitOptions fairing;
+  fairing.Smoothness = std::clamp(options.Smoothness, minimum, maximum);
+  fairing.OutlierRatio = start.OutlierRatio;
+  fairing.SamplesPerRound = options.SamplesPerVertex * options.NumberOfVertices;
+  fairing.RandomSeed = options.RandomSeed;
+  fairing.Belongs = start.Belongs;
+  fairing.Creases = sharpened(result);
+  try
+  {
+    FairFitResult faired = fairFit(samples, fairing, result, run);
+    result.StandardError = std::move(faired.StandardError);
+    result.DegreesOfFreedom = faired.DegreesOfFreedom;
+    result.Noise = std::sqrt(std::min(1.0, noise.ToDetail) * faired.Variance);
+  }
+  catch (const NumericalFailure&)
+  {
+    // The surface of the least-squares fit is a result, too.
+  }
+}
+
 /// Shares of the time, measured on scans: remeshing of the start, then for each turn the fit and
-/// the remeshing, then the estimate of the noise, the last fit, sharp edges, and support.
+/// the remeshing, then the estimate of the noise, the last fit, fairing, sharp edges, and support.
 Steps stepsOf(int turns, const Run& run)
 {
   std::vector<double> shares = { 0.1 };
@@ -136,7 +185,7 @@ Steps stepsOf(int turns, const Run& run)
   {
     shares.insert(shares.end(), { 0.06, 0.05 });
   }
-  shares.insert(shares.end(), { 0.03, 0.5, 0.02, 0.02 });
+  shares.insert(shares.end(), { 0.03, 0.3, 0.3, 0.02, 0.02 });
   return { run, shares };
 }
 }
@@ -147,8 +196,8 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
   const Index vertices = options.NumberOfVertices;
   LeastSquaresFitOptions fitting; // of a turn
   fitting.Iterations = start.IterationsPerTurn;
-  fitting.FirstSmoothness = std::max(options.Smoothness, FirstSmoothness);
-  fitting.LastSmoothness = options.Smoothness;
+  fitting.LastSmoothness = FitOptions::UsualSmoothness * options.Smoothness;
+  fitting.FirstSmoothness = std::max(fitting.LastSmoothness, FirstSmoothness);
   fitting.OutlierRatio = start.OutlierRatio;
   fitting.AutomaticPriority = options.AutomaticPriority;
   fitting.SamplesPerIteration = std::min(options.SamplesPerVertex, SamplesOfTurn) * vertices;
@@ -157,7 +206,8 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
   fitting.Belongs = start.Belongs;
   LeastSquaresFitOptions last = fitting;
   last.SamplesPerIteration = options.SamplesPerVertex * vertices;
-  last.Iterations = options.Iterations - std::min(options.Iterations / 2, start.IterationsPerTurn);
+  last.Iterations = options.Iterations -
+    std::min(options.Iterations / 2, start.IterationsPerTurn + IterationsOfFairing);
 
   Steps steps = stepsOf(start.Turns, run);
   FittedMesh result;
@@ -194,8 +244,11 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
   last.LastSmoothness +=
     smoothnessFor(noise, result, std::min(last.SamplesPerIteration, samples.totalSize()));
   last.FirstSmoothness = last.LastSmoothness;
-  last.AutomaticPriority = options.AutomaticPriority && noise.ToDetail < LittleNoise;
+  const bool noisy = !(noise.ToDetail < LittleNoise);
+  last.AutomaticPriority = options.AutomaticPriority && !noisy;
+  last.Iterations -= noisy ? std::min(last.Iterations / 2, IterationsInNoise) : 0;
   const std::vector<double> masses = leastSquaresFit(samples, last, result, steps.next());
+  fair(samples, options, start, noise, result, steps.next());
   sharpenEdges(result, steps.next());
   observe("fit");
   steps.next();

@@ -55,8 +55,8 @@ struct AdaptiveStart : LearnedMesh
 /// First, the start surface is remeshed (Remeshing.h). Then several turns follow. Each turn fits
 /// the mesh to the samples (LeastSquaresFit.h) and remeshes the fitted mesh. In each turn, the
 /// weight of a smooth surface decreases from iteration to iteration. The final fit moves vertices,
-/// but keeps the triangles. Where triangles cut off sharp edges of the object, vertices are finally
-/// moved onto these edges (SharpEdges.h).
+/// but keeps the triangles. The surface is then made fair (FairFit.h). Where triangles cut off
+/// sharp edges of the object, vertices are finally moved onto these edges (SharpEdges.h).
 ///
 /// The noise of the samples is estimated before the final fit (NoiseEstimate.h). The estimate
 /// compares the distances of samples from two meshes: the mesh before the final fit, and a mesh

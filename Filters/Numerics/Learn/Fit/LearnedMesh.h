@@ -52,6 +52,11 @@ struct FittedMesh : LearnedMesh
   double Noise = 0.0;
   /// Fraction of the surface area without samples nearby, in [0, 1], see unsupportedFraction().
   double UnsupportedFraction = 0.0;
+  /// Standard error of each vertex along the normal, #V, if the maximum radius is 1. Empty if
+  /// unknown.
+  std::vector<double> StandardError;
+  /// Number of free parameters of the surface; 0 if unknown.
+  double DegreesOfFreedom = 0.0;
   /// Area of the fitted mesh, divided by the area of the surface before the fit.
   double AreaRatio = 1.0;
 };

@@ -1,0 +1,352 @@
+#include "Learn/Fit/FairFit.h"
+
+#include "Base/NumericalFailure.h"
+#include "Base/Steps.h"
+#include "Learn/Fit/SurfaceSupport.h"
+#include "Linear/ShiftedSystem.h"
+#include "Mesh/VertexNormals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace conformal
+{
+namespace
+{
+constexpr int Rings = 3; // of neighbors that the energy couples
+
+// Weights that are tried with one factorization, in powers of ten. A softer first weight is not
+// looked for where the surface has this share of freedom: later solutions find it by place.
+constexpr double FirstWeight = 3.0, LadderEnd = 1.5, LadderStep = 0.25, LadderMove = 2.5;
+constexpr double EnoughFreedom = 0.5;
+constexpr int MaximumLadders = 4, KrylovSteps = 8;
+
+// Measured on Igea with noise up to 0.002: 2 to 4 is best for its detail, and 1 leaves noise. The
+// mean of variances that differ from vertex to vertex overestimates most of them.
+constexpr double WeightOfVariance = 2.5;
+
+// Steps of diffusion for means around a vertex.
+constexpr int SpreadOfChange = 2, SpreadOfNoise = 12, SpreadOfError = 4;
+constexpr double MinimumChange = 1e-5; // of the mean
+constexpr double FirstChange = 0.1;    // of the mean, added to the changes of the fitted mesh
+constexpr double TypicalCount = 0.2;   // samples of typical noise, for each sample of a vertex
+constexpr double MaximumPrecision = 100.0;
+
+// A surface that turns away from the normal of a vertex by more than 66 degrees is too sharp for a
+// displacement along the normal. The vertex stays then.
+constexpr double MinimumCosine = 0.4;
+constexpr double AnchorOfSharp = 100.0; // weight of the displacement, in samples of a vertex
+
+constexpr double Ridge = 1e-10; // of the diagonal
+
+/// Values spread over the vertices around; their sum stays.
+Eigen::VectorXd diffused(const Adjacency& neighbors, Eigen::VectorXd values, int steps)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    Eigen::VectorXd spread = 0.5 * values;
+    for (Index i = 0; i < values.size(); ++i)
+    {
+      for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
+      {
+        spread[*j] += 0.5 / neighbors.size(i) * values[i];
+      }
+    }
+    values.swap(spread);
+  }
+  return values;
+}
+
+/// Ratio of sums around each vertex.
+Eigen::VectorXd meanAround(
+  const Adjacency& neighbors, const Eigen::VectorXd& sums, const Eigen::VectorXd& counts, int steps)
+{
+  return diffused(neighbors, sums, steps).cwiseQuotient(diffused(neighbors, counts, steps));
+}
+
+/// Find vertices with triangles that face another way than the normal.
+std::vector<bool> sharpVertices(const Mesh& mesh, const Points& normals)
+{
+  std::vector<bool> sharp(mesh.Positions.rows(), false);
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
+  {
+    const auto ids = mesh.Triangles.row(r);
+    const Vector3 a = mesh.Positions.row(ids[0]), b = mesh.Positions.row(ids[1]),
+                  c = mesh.Positions.row(ids[2]);
+    const Vector3 normal = (b - a).cross(c - a).stableNormalized();
+    for (const int id : ids)
+    {
+      sharp[id] = sharp[id] || !(normal.dot(Vector3(normals.row(id))) > MinimumCosine);
+    }
+  }
+  return sharp;
+}
+
+struct Solution
+{
+  Eigen::VectorXd Displacements; // u
+  Columns Deviations;            // random vectors of the covariance of u, for noise of 1
+  double DegreesOfFreedom = 0.0;
+  double Variance = 0.0; // of noise
+  double Score = 0.0;    // of generalized cross-validation
+};
+
+/// Minimize the squared distances plus a weight times the energy.
+class FairSystem
+{
+public:
+  FairSystem(const SampleDistances::Sum& distances, double count,
+    const CurvatureChange::Energy& energy, const Points& places)
+    : Distances(distances)
+    , Count(count)
+    , Energy(energy)
+    , Places(places)
+  {
+  }
+
+  Solution solve(double weight, const Run& run) const
+  {
+    const MultifrontalCholesky factor = this->factorizeAt(weight, run);
+    constexpr Index probes = NumberOfProbes;
+    Columns columns(this->Places.rows(), 1 + 2 * probes);
+    columns << this->Distances.Right - weight * this->Energy.Force, this->Distances.Probes,
+      std::sqrt(weight) * this->Energy.Probes;
+    factor.solve(columns);
+    Solution solution;
+    solution.Displacements = columns.col(0);
+    solution.Deviations = columns.middleCols(1, probes) + columns.rightCols(probes);
+    const double trace = this->Distances.Probes.cwiseProduct(columns.middleCols(1, probes)).sum();
+    this->evaluate(solution, trace / static_cast<double>(probes));
+    return solution;
+  }
+
+  /// Solution of the weight with the lowest score.
+  Solution solveByCrossValidation(const Run& run) const
+  {
+    enum
+    {
+      Right,
+      Force,
+      Probe,
+      EnergyProbe,
+      NumberOfColumns
+    };
+    Columns columns(this->Places.rows(), static_cast<Index>(NumberOfColumns));
+    columns << this->Distances.Right, this->Energy.Force, this->Distances.Probes.col(0),
+      this->Energy.Probes.col(0);
+    double center =
+      FirstWeight * this->Distances.Matrix.diagonal().sum() / this->Energy.Matrix.diagonal().sum();
+    for (int ladder = 1;; ++ladder)
+    {
+      const Run own = run.part(1.0 - std::pow(0.5, ladder - 1), 1.0 - std::pow(0.5, ladder));
+      const ShiftedSystem system(this->Distances.Matrix,
+        this->factorizeAt(center, own.part(0.0, 0.4)), center, columns, KrylovSteps,
+        own.part(0.4, 1.0));
+      Solution best;
+      best.Score = std::numeric_limits<double>::infinity();
+      double bestPower = 0.0;
+      for (double power = -LadderEnd; power <= LadderEnd; power += LadderStep)
+      {
+        const double weight = center * std::pow(10.0, power);
+        Solution solution;
+        solution.Displacements =
+          system.solution(Right, weight) - weight * system.solution(Force, weight);
+        this->evaluate(solution, system.product(Probe, weight));
+        if (solution.Score < best.Score)
+        {
+          best = std::move(solution);
+          bestPower = power;
+        }
+      }
+      const bool softer = bestPower <= -LadderEnd &&
+        best.DegreesOfFreedom < EnoughFreedom * static_cast<double>(this->Places.rows());
+      if ((!softer && bestPower < LadderEnd) || ladder == MaximumLadders)
+      {
+        const double weight = center * std::pow(10.0, bestPower);
+        best.Deviations =
+          system.solution(Probe, weight) + std::sqrt(weight) * system.solution(EnergyProbe, weight);
+        return best;
+      }
+      center *= std::pow(10.0, softer ? -LadderMove : LadderMove);
+    }
+  }
+
+private:
+  MultifrontalCholesky factorizeAt(double weight, const Run& run) const
+  {
+    SparseMatrix matrix = this->Distances.Matrix + weight * this->Energy.Matrix;
+    matrix.diagonal() *= 1.0 + Ridge;
+    return factorize(matrix, this->Places, Rings, run);
+  }
+
+  void evaluate(Solution& solution, double trace) const
+  {
+    const SampleDistances::Sum& d = this->Distances;
+    const Eigen::VectorXd& u = solution.Displacements;
+    const double squares = std::max(0.0, d.Constant - 2.0 * u.dot(d.Right) + u.dot(d.Matrix * u));
+    constexpr double smallest = 1e-3;
+    const double free = std::max(smallest, 1.0 - trace / this->Count);
+    solution.DegreesOfFreedom = trace;
+    solution.Variance = squares / (this->Count * free);
+    solution.Score = solution.Variance / free;
+    if (!std::isfinite(solution.Score) || !u.allFinite())
+    {
+      throw NumericalFailure("the equations of fairing have no solution");
+    }
+  }
+
+  const SampleDistances::Sum& Distances;
+  const double Count; // of the samples
+  const CurvatureChange::Energy& Energy;
+  const Points& Places;
+};
+
+class FairFit
+{
+public:
+  FairFit(const TrainingSamples& samples, const FairFitOptions& options, const Mesh& mesh)
+    : Samples(samples)
+    , Options(options)
+    , Surface(mesh)
+    , Neighbors(vertexNeighbors(mesh.Triangles, mesh.Positions.rows()))
+    , Ones(Eigen::VectorXd::Ones(mesh.Positions.rows()))
+    , Precisions(this->Ones)
+  {
+  }
+
+  /// Find foot points, and move the vertices.
+  void turn(const Run& run)
+  {
+    Steps steps(run, { 0.3, 0.7 });
+    const Points normals = vertexNormals(this->Surface.Positions, this->Surface.Triangles);
+    const SampleDistances distances(
+      this->Samples, this->Options, this->Surface, normals, this->Neighbors, steps.next());
+    if (!(distances.count() > 0.0))
+    {
+      throw NumericalFailure("there are no samples to fair a mesh by");
+    }
+    const CurvatureChange change(this->Surface, normals);
+    const std::vector<bool> bare = bareVertices(
+      this->Surface.Positions, this->Surface.Triangles, this->Neighbors, distances.masses());
+    this->Sharp = sharpVertices(this->Surface, normals);
+    Eigen::VectorXd anchors(this->Ones.size());
+    for (Index i = 0; i < anchors.size(); ++i)
+    {
+      this->Sharp[i] =
+        this->Sharp[i] || (!this->Options.Creases.empty() && this->Options.Creases[i]);
+      anchors[i] = this->Sharp[i] ? AnchorOfSharp : bare[i] ? 1.0 : 0.0;
+    }
+    this->solve(distances, change, anchors, steps.next());
+    for (Index i = 0; i < this->Surface.Positions.rows(); ++i)
+    {
+      this->Surface.Positions.row(i) += this->Last.Displacements[i] * normals.row(i);
+    }
+  }
+
+  const Points& positions() const { return this->Surface.Positions; }
+
+  FairFitResult result() const
+  {
+    FairFitResult result;
+    const Eigen::VectorXd squares = meanAround(this->Neighbors,
+      this->Last.Deviations.rowwise().squaredNorm() / static_cast<double>(NumberOfProbes),
+      this->Ones, SpreadOfError);
+    for (const double square : squares)
+    {
+      result.StandardError.push_back(std::sqrt(this->Last.Variance * square));
+    }
+    result.DegreesOfFreedom = this->Last.DegreesOfFreedom;
+    result.Variance = this->Variance;
+    return result;
+  }
+
+private:
+  /// Means of squares around each vertex, without creases, plus a share of the mean of all.
+  Tensors changesAround(Tensors squares, double share) const
+  {
+    constexpr double smallest = 1e-300; // of a plane
+    constexpr double few = 1e-6;        // of a vertex, where all are on creases
+    Eigen::VectorXd counts = this->Ones;
+    for (Index i = 0; i < counts.size(); ++i)
+    {
+      counts[i] = this->Sharp[i] ? few : 1.0;
+    }
+    squares.array().colwise() *= counts.array();
+    Tensors changes(squares.rows(), squares.cols());
+    for (Index c = 0; c < squares.cols(); ++c)
+    {
+      changes.col(c) = meanAround(this->Neighbors, squares.col(c), counts, SpreadOfChange);
+    }
+    changes.leftCols(3).array() += share * squares.leftCols(3).mean() + smallest;
+    return changes;
+  }
+
+  void solve(const SampleDistances& distances, const CurvatureChange& change,
+    const Eigen::VectorXd& anchors, const Run& run)
+  {
+    SampleDistances::Sum sum = distances.sum(this->Precisions);
+    sum.Matrix.diagonal() += sum.Matrix.diagonal().mean() * anchors;
+    const bool first = this->Last.Displacements.size() == 0;
+    if (first)
+    {
+      // Noise adds the same to the change in all places. Thus the first weights differ less by
+      // place than they should, but ridges and creases are not smoothed away.
+      this->Changes = this->changesAround(
+        change.squaresAt(Eigen::VectorXd::Zero(this->Ones.size())), FirstChange);
+    }
+    const CurvatureChange::Energy energy = change.energy(this->Changes, this->Sharp);
+    const FairSystem system(sum, distances.count(), energy, this->Surface.Positions);
+    this->Last = first
+      ? system.solveByCrossValidation(run)
+      : system.solve(this->Options.Smoothness * WeightOfVariance * this->Last.Variance, run);
+    run.report(1.0);
+
+    const Eigen::VectorXd& moves = this->Last.Displacements;
+    const Columns& deviations = this->Last.Deviations;
+    Tensors squareChanges = change.squaresAt(moves);
+    Eigen::VectorXd squares = distances.squaresAt(moves);
+    const double share = this->Last.Variance / static_cast<double>(deviations.cols());
+    for (Index p = 0; p < deviations.cols(); ++p)
+    {
+      squareChanges += share * change.homogeneousSquaresAt(deviations.col(p));
+      squares += share * distances.increaseAt(deviations.col(p));
+    }
+    this->Changes = this->changesAround(squareChanges, MinimumChange);
+    const Eigen::VectorXd counts = distances.countsAt();
+    const double all = squares.sum() / distances.count(), few = TypicalCount * counts.mean();
+    Eigen::VectorXd variances = meanAround(
+      this->Neighbors, squares + few * all * this->Ones, counts + few * this->Ones, SpreadOfNoise);
+    this->Precisions = (all * variances.cwiseInverse()).cwiseMin(MaximumPrecision);
+    double* const middle = variances.data() + variances.size() / 2;
+    std::nth_element(variances.data(), middle, variances.data() + variances.size());
+    this->Variance = *middle * distances.count() / distances.mass();
+  }
+
+  const TrainingSamples& Samples;
+  const FairFitOptions& Options;
+  Mesh Surface;
+  const Adjacency Neighbors;
+  const Eigen::VectorXd Ones;
+  Tensors Changes;            // variances of the change of curvature, by place
+  Eigen::VectorXd Precisions; // of samples, by place
+  std::vector<bool> Sharp;    // vertices that stay on creases
+  Solution Last;
+  double Variance = 0.0;
+};
+}
+
+//------------------------------------------------------------------------------
+FairFitResult fairFit(
+  const TrainingSamples& samples, const FairFitOptions& options, Mesh& mesh, const Run& run)
+{
+  FairFit fit(samples, options, mesh);
+  Steps steps(run, { 0.65, 0.35 });
+  fit.turn(steps.next());
+  fit.turn(steps.next());
+  run.report(1.0);
+  mesh.Positions = fit.positions();
+  return fit.result();
+}
+}
