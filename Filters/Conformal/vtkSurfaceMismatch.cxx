@@ -73,6 +73,10 @@ void AddFigures(vtkFieldData* data, const conformal::SurfaceMismatch& mismatch)
   glue::AddNumber(data, "MeanSquareSurfaceToPoint", mismatch.MeanSquareSurfaceToPoint);
   glue::AddNumber(data, "HausdorffDistance", mismatch.HausdorffDistance);
   glue::AddNumber(data, "WebFraction", mismatch.WebFraction);
+  if (mismatch.HasNormalAngle)
+  {
+    glue::AddNumber(data, "RootMeanSquareNormalAngle", mismatch.RootMeanSquareNormalAngle);
+  }
   glue::AddNumber(data, "LengthUnit", mismatch.LengthUnit);
 }
 }

@@ -30,6 +30,10 @@
  *   span a gap between two limbs. E_mis does not detect webs.
  * - "HausdorffDistance": the largest of all distances from model to reference and from reference to
  *   model.
+ * - "RootMeanSquareNormalAngle": root mean square angle in degrees, from 0 to 90, between the
+ *   model's triangles and the reference's triangles, over the samples of the model. Each sample is
+ *   compared with the triangle that contains its closest point. A reference without polygons has
+ *   no normals, and then the array does not exist.
  * - "WebFraction": fraction of the model's area that is farther from the reference than 0.02 units
  *   of length.
  * - "LengthUnit": the unit of length of the other values, in units of the coordinates.

@@ -42,17 +42,30 @@ def figure(output, name):
     return output.GetFieldData().GetArray(name).GetValue(0)
 
 
+def facet_normals(surface):
+    points, triangles = points_of(surface), triangles_of(surface)
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    return normals / np.linalg.norm(normals, axis=1, keepdims=True)
+
+
 def distances(queries, surface):
+    return closest(queries, surface)[0]
+
+
+def closest(queries, surface):
+    """Distances to the surface, and the triangles that are closest."""
     locator = vtkStaticCellLocator()
     locator.SetDataSet(surface)
     locator.BuildLocator()
     cell, cell_id, part, square, foot = (
         vtkGenericCell(), reference(0), reference(0), reference(0.0), [0.0] * 3)
-    result = []
+    result, triangles = [], []
     for query in queries:
         locator.FindClosestPoint(query, foot, cell, cell_id, part, square)
         result.append(float(square) ** 0.5)
-    return np.array(result)
+        triangles.append(int(cell_id))
+    return np.array(result), np.array(triangles)
 
 
 def nearest_vertices(queries, surface):
@@ -64,6 +77,7 @@ def nearest_vertices(queries, surface):
 
 
 def area_samples(surface, count):
+    """Random positions, and their triangles."""
     points, triangles = points_of(surface), triangles_of(surface)
     a, b, c = (points[triangles[:, k]] for k in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -71,7 +85,7 @@ def area_samples(surface, count):
     chosen = random.choice(len(triangles), count, p=area / area.sum())
     u, v = random.random((2, count, 1))
     u, v = np.where(u + v > 1, 1 - u, u), np.where(u + v > 1, 1 - v, v)
-    return a[chosen] + u * (b - a)[chosen] + v * (c - a)[chosen]
+    return a[chosen] + u * (b - a)[chosen] + v * (c - a)[chosen], chosen
 
 
 class TestSurfaceMismatch(unittest.TestCase):
@@ -86,7 +100,8 @@ class TestSurfaceMismatch(unittest.TestCase):
         cls.output, cls.reference_output = mismatch.GetOutput(0), mismatch.GetOutput(1)
         cls.unit = figure(cls.output, "LengthUnit")
         cls.forward = distances(points_of(cls.reference), cls.model)
-        cls.back = distances(area_samples(cls.model, 60000), cls.reference)
+        samples, cls.triangles = area_samples(cls.model, 60000)
+        cls.back, cls.feet = closest(samples, cls.reference)
 
     def test_unit_is_the_largest_radius(self):
         points = points_of(self.reference)
@@ -112,6 +127,14 @@ class TestSurfaceMismatch(unittest.TestCase):
             abs(figure(self.output, "MeanSquareSurfaceToPoint") - squares.mean()), 5 * noise)
         self.assertLess(
             abs(figure(self.output, "WebFraction") - (squares > 4e-4).mean()), 0.01)
+
+    def test_normal_angle(self):
+        """Planes of both surfaces at other samples, with VTK's locator."""
+        cosines = np.abs(
+            (facet_normals(self.model)[self.triangles] * facet_normals(self.reference)[self.feet]).sum(axis=1))
+        angles = np.degrees(np.arccos(np.clip(cosines, 0.0, 1.0)))
+        expected = np.sqrt((angles ** 2).mean())
+        self.assertAlmostEqual(figure(self.output, "RootMeanSquareNormalAngle") / expected, 1.0, delta=0.02)
 
     def test_hausdorff(self):
         vertices = distances(points_of(self.model), self.reference)

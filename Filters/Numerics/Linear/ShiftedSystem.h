@@ -1,4 +1,5 @@
-/// Solver of (A + lambda K) x = b for many lambda by one factorization.
+/// Solve (A + lambda K) x = b for many numbers lambda with one factorization, by the method of
+/// \cite Lanczos1950.
 
 #ifndef ConformalShiftedSystem_h
 #define ConformalShiftedSystem_h
@@ -15,45 +16,49 @@ namespace conformal
 {
 using SparseMatrix = Eigen::SparseMatrix<double>; ///< by columns
 
-/// Factor a symmetric, positive definite matrix of a mesh's vertices.
-/// @param[in] places  a point for each unknown, for the order of elimination
-/// @param[in] rings   of neighbors that the matrix couples to a vertex
-/// @throws NumericalFailure as MultifrontalCholesky
+/// Factor a symmetric, positive definite matrix whose unknowns belong to the vertices of a mesh.
+/// @param[in] places  position of each unknown, which determines only the elimination order
+/// @param[in] rings  number of rings of neighbors that the matrix couples to a vertex
+/// @throws NumericalFailure if the constructor of MultifrontalCholesky throws it
 MultifrontalCholesky factorize(
   const SparseMatrix& matrix, const Points& places, int rings, const Run& run = {});
 
-/// Solutions x of (A + lambda K) x = b for all lambda within a factor of about 30 of a center c.
-/// In the inner product of B = A + c K all of these matrices have the same Krylov space, that of
-/// B^-1 A and B^-1 b, so a few steps of the method of \cite Lanczos1950 with the factor of B serve
-/// them all.
+/// Represent the solutions x of (A + lambda K) x = b for all lambda near a given center c.
+/// Solutions are accurate if lambda / c is between about 1/30 and 30.
+///
+/// Let B = A + c K. For each lambda, the solution is approximated in the Krylov space of the matrix
+/// B^-1 A and the vector B^-1 b. This space is the same for all lambda. A few steps of the Lanczos
+/// method, which solve with the factor of B, therefore serve every lambda.
 class ShiftedSystem
 {
 public:
   /// @param[in] matrix  A, symmetric and positive semidefinite
-  /// @param[in] factor  of B
-  /// @param[in] center  c, above 0
-  /// @param[in] right   columns b
-  /// @param[in] steps   of each Krylov space; more make the range of lambda wider
+  /// @param[in] factor  Cholesky factor of B
+  /// @param[in] center  number c, above 0
+  /// @param[in] right  right-hand sides b, one in each column
+  /// @param[in] steps  dimension of each Krylov space; a larger space is accurate for a wider range
+  ///   of lambda
   ShiftedSystem(const SparseMatrix& matrix, const MultifrontalCholesky& factor, double center,
     Columns right, int steps, const Run& run = {});
 
-  /// x for a column of the right sides.
+  /// Return the solution x for one column of the right-hand sides.
   Eigen::VectorXd solution(Index column, double lambda) const;
 
-  /// b x, more accurate than x is: a Gauss quadrature.
+  /// Return the inner product of b and x. The product is a Gauss quadrature, and is more accurate
+  /// than x.
   double product(Index column, double lambda) const;
 
 private:
   struct Recurrence
   {
     std::vector<double> Diagonal, Beside;
-    double Length = 0.0; ///< of B^-1 b
+    double Length = 0.0; ///< length of B^-1 b in the inner product of B
   };
   Eigen::VectorXd coefficients(const Recurrence& recurrence, double lambda) const;
 
   double Center;
   std::vector<Recurrence> Recurrences;
-  std::vector<Columns> Basis; ///< of each step
+  std::vector<Columns> Basis; ///< basis vectors of each step
 };
 }
 

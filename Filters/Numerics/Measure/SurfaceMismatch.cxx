@@ -139,8 +139,15 @@ TriangleTree treeOf(const Points& points, const Triangles& triangles, const Run&
   return TriangleTree(points, asTriangles(all), run);
 }
 
+// Positions on a mesh, with the triangles that contain them.
+struct Spread
+{
+  Points Positions;
+  std::vector<int> Triangles;
+};
+
 // Spread points evenly over the area of a mesh, or over its triangles if it has no area.
-Points spreadSamples(const Points& points, const Triangles& triangles, int count, int seed)
+Spread spreadSamples(const Points& points, const Triangles& triangles, int count, int seed)
 {
   const auto corner = [&](Index r, int k) { return Vector3(points.row(triangles(r, k))); };
   std::vector<double> areaUpTo(triangles.rows());
@@ -167,7 +174,7 @@ Points spreadSamples(const Points& points, const Triangles& triangles, int count
   constexpr double plastic = 1.32471795724474602596;
   const double step = uniform(), startU = uniform(), startV = uniform();
   double whole = 0.0;
-  Points samples(count, 3);
+  Spread samples = { Points(count, 3), std::vector<int>(count) };
   for (int i = 0; i < count; ++i)
   {
     const double area = (i + step) / count * areaUpTo.back();
@@ -181,19 +188,25 @@ Points spreadSamples(const Points& points, const Triangles& triangles, int count
       v = 1.0 - v;
     }
     const Vector3 a = corner(r, 0);
-    samples.row(i) = a + u * (corner(r, 1) - a) + v * (corner(r, 2) - a);
+    samples.Positions.row(i) = a + u * (corner(r, 1) - a) + v * (corner(r, 2) - a);
+    samples.Triangles[i] = static_cast<int>(r);
   }
   return samples;
 }
 
 // Compute square distances of points to a mesh.
+// @param[out] feet  triangles that contain the closest points; may be null
 template <typename Query>
-std::vector<double> squareDistances(
-  const TriangleTree& tree, Index size, const Query& query, const Run& run)
+std::vector<double> squareDistances(const TriangleTree& tree, Index size, const Query& query,
+  const Run& run, std::vector<int>* feet = nullptr)
 {
   // Searches from points far away are long, so that reports need to come after a few blocks.
   constexpr Index blockSize = 1 << 9, chunkSize = 16 * blockSize;
   std::vector<double> squares(size);
+  if (feet)
+  {
+    feet->resize(size);
+  }
   for (Index start = 0; start < size; start += chunkSize)
   {
     const Index length = std::min(chunkSize, size - start);
@@ -206,11 +219,43 @@ std::vector<double> squareDistances(
           const FootPoint foot = tree.closestPoint(query(i), hint);
           hint = foot.Triangle;
           squares[i] = foot.SquareDistance;
+          if (feet)
+          {
+            (*feet)[i] = foot.Triangle;
+          }
         }
       });
     run.report(static_cast<double>(start + length) / static_cast<double>(size));
   }
   return squares;
+}
+
+Vector3 normalOf(const Points& points, const Triangles& triangles, int r)
+{
+  const Vector3 a = points.row(triangles(r, 0)), b = points.row(triangles(r, 1)),
+                c = points.row(triangles(r, 2));
+  return (b - a).stableNormalized().cross((c - a).stableNormalized()).stableNormalized();
+}
+
+// Root mean square angle between the planes of pairs of triangles [degrees]. Pairs with a triangle
+// of no area are left out.
+double normalAngle(const Points& model, const Triangles& modelTriangles,
+  const std::vector<int>& ofModel, const Points& reference, const Triangles& referenceTriangles,
+  const std::vector<int>& ofReference)
+{
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < ofModel.size(); ++i)
+  {
+    const Vector3 n = normalOf(model, modelTriangles, ofModel[i]),
+                  m = normalOf(reference, referenceTriangles, ofReference[i]);
+    if (!n.isZero(0.0) && !m.isZero(0.0))
+    {
+      const double angle = std::atan2(n.cross(m).norm(), std::abs(n.dot(m)));
+      sum += angle * angle;
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? std::sqrt(sum / count) * 180.0 / Pi : 0.0;
 }
 
 // Statistics of values distributed over ranks, or held once.
@@ -346,14 +391,23 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   const TriangleTree reference = treeOf(referenceFrame, triangles, steps.next());
   steps.next();
   const Reduce overParts = isCloud ? reduce : Reduce();
-  const Points samples =
+  const Spread samples =
     spreadSamples(model, modelTriangles, options.NumberOfSamples, options.RandomSeed);
+  std::vector<int> feet;
   const std::vector<double> back = toNearestPart(overParts,
-    measure(reference, samples.rows(), [&](Index i) { return Vector3(samples.row(i)); }));
+    squareDistances(
+      reference, samples.Positions.rows(),
+      [&](Index i) { return Vector3(samples.Positions.row(i)); }, steps.next(), &feet));
   const std::vector<double> fromVertices = toNearestPart(
     overParts, measure(reference, model.rows(), [&](Index i) { return Vector3(model.row(i)); }));
   steps.next();
-  result.MeanSquareSurfaceToPoint = square * meanOf(back, samples.rows());
+  result.MeanSquareSurfaceToPoint = square * meanOf(back, samples.Positions.rows());
+  result.HasNormalAngle = !isCloud;
+  if (result.HasNormalAngle)
+  {
+    result.RootMeanSquareNormalAngle =
+      normalAngle(model, modelTriangles, samples.Triangles, referenceFrame, triangles, feet);
+  }
   const double web = WebDistance / figureUnit;
   result.WebFraction = fractionAbove(back, web * web);
   double farthest = std::max(maximumOf(forward, reduce), maximumOf(back));

@@ -48,6 +48,11 @@ struct SurfaceMismatch
   /// Mean square distance from samples of the model to the reference.
   double MeanSquareSurfaceToPoint = 0.0;
   double HausdorffDistance = 0.0; ///< maximum distance in either direction
+  /// Root mean square angle [degrees, 0 to 90] between the triangles of the model and those of the
+  /// reference, over the samples of the model. Each sample is compared with the reference triangle
+  /// that contains its foot point (closest point). Meaningful if HasNormalAngle.
+  double RootMeanSquareNormalAngle = 0.0;
+  bool HasNormalAngle = false; ///< whether the reference has triangles
   /// Fraction of the area of the model that is farther than WebDistance from the reference, in [0,
   /// 1].
   double WebFraction = 0.0;

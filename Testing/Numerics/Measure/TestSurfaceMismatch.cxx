@@ -15,6 +15,7 @@
 using conformal::Index;
 using conformal::measureSurfaceMismatch;
 using conformal::MismatchUnit;
+using conformal::Pi;
 using conformal::Points;
 using conformal::SurfaceMismatch;
 using conformal::SurfaceMismatchOptions;
@@ -66,6 +67,37 @@ TEST(SurfaceMismatch, KnowsParallelSquares)
   EXPECT_EQ(figures.WebFraction, 1.0);
   EXPECT_EQ(figures.ModelDistances, std::vector<double>(4, 0.5));
   EXPECT_EQ(figures.ReferenceDistances, std::vector<double>(4, 0.5));
+}
+
+TEST(SurfaceMismatch, AnglesAreThoseBetweenPlanes)
+{
+  const Triangles faces = squareFaces();
+  Points tilted = square(3.0);
+  tilted.col(2) += std::tan(Pi / 6.0) * tilted.col(0);
+  const auto angleOf = [&](const Triangles& triangles) {
+    return measureSurfaceMismatch(tilted, triangles, square(0), faces, inUnit(MismatchUnit::None));
+  };
+  EXPECT_TRUE(angleOf(faces).HasNormalAngle);
+  EXPECT_NEAR(angleOf(faces).RootMeanSquareNormalAngle, 30.0, 1e-10);
+  Triangles reversed = faces;
+  reversed.col(0).swap(reversed.col(1));
+  EXPECT_NEAR(angleOf(reversed).RootMeanSquareNormalAngle, 30.0, 1e-10);
+  const SurfaceMismatch toCloud = measureSurfaceMismatch(tilted, faces, square(0), {}, {});
+  EXPECT_FALSE(toCloud.HasNormalAngle);
+}
+
+// The facets of a coarse sphere are inclined to those of a fine one as their size demands.
+TEST(SurfaceMismatch, AnglesShrinkWithTheTriangles)
+{
+  const auto fine = conformal::makeGeodesicSphere(80);
+  const auto angleOf = [&](int frequency)
+  {
+    const auto coarse = conformal::makeGeodesicSphere(frequency);
+    return measureSurfaceMismatch(
+      coarse.Positions, coarse.Triangles, fine.Positions, fine.Triangles, fewSamples())
+      .RootMeanSquareNormalAngle;
+  };
+  EXPECT_NEAR(angleOf(5) / angleOf(10), 2.0, 0.1);
 }
 
 TEST(SurfaceMismatch, KnowsConcentricSpheres)

@@ -24,8 +24,8 @@ namespace
 constexpr int FirstIterations = 6, Iterations = 3; // of remeshing
 constexpr Index SamplesOfTurn = 4;                 // in an iteration, for each vertex
 constexpr double FirstSmoothness = 0.2; // of a turn, since remeshing moves vertices off the samples
-// Iterations of the final fit that fairing replaces. With noise, more of them only make the surface
-// rougher, which hides sharp edges.
+// Iterations of the final fit that fairing replaces. If the points are noisy, more iterations make
+// the surface rough, so that sharp edges are not found.
 constexpr int IterationsOfFairing = 2, IterationsInNoise = 3;
 
 // The noise is estimated beside a mesh of a quarter of the vertices.
@@ -133,7 +133,7 @@ void firstFit(const TrainingSamples& samples, LeastSquaresFitOptions& fitting, L
   }
 }
 
-/// Move vertices onto sharp edges, and find these vertices.
+/// Move vertices onto sharp edges of the object. Return which vertices were moved.
 std::vector<bool> sharpened(LearnedMesh& surface)
 {
   const Points before = surface.Positions;
@@ -146,8 +146,9 @@ std::vector<bool> sharpened(LearnedMesh& surface)
   return moved;
 }
 
-/// Fair the surface, where there is one, and measure the noise again. The variance that a fair
-/// surface leaves is that of the noise, unless there is more detail than noise.
+/// Make the surface fair, unless the samples are flat, and estimate the noise again. The variance
+/// of the samples about a fair surface is that of the noise, unless there is more detail than
+/// noise.
 void fair(const TrainingSamples& samples, const AdaptiveFitOptions& options,
   const AdaptiveStart& start, const Noise& noise, FittedMesh& result, const Run& run)
 {

@@ -28,8 +28,8 @@ constexpr double ShareOfSharp = 0.01;      // root of the share of the energy ar
 constexpr double MinimumAnisotropy = 0.03; // ratio of variances by direction
 constexpr double MinimumArea = 1e-3;       // around a vertex, of the mean
 
-// For each triangle: products of the weights of feet, their residuals, the square of these, the
-// mass and the count.
+// Numbers of each triangle: 6 products of weights, 3 products of weights and residuals, the sum of
+// squared residuals, the mass and the count.
 constexpr Index SumsPerTriangle = 12;
 
 /// Pseudorandom sign, by the mixing function of SplitMix64.
@@ -41,11 +41,11 @@ double randomSign(std::uint64_t number)
   return ((z ^ (z >> 31U)) & 1U) != 0U ? 1.0 : -1.0;
 }
 
-/// A sample's part of the equations.
+/// Equation of one sample.
 struct Row
 {
   FootPoint Foot;
-  Vector3 Weights; // by which the displacements of the corners move the foot along its normal
+  Vector3 Weights; // moves of the foot point along its normal by unit moves of the three corners
   double Residual, Weight;
 };
 
@@ -114,8 +114,8 @@ Eigen::Matrix2d inverseRoot(const Eigen::Matrix2d& variance)
   return root / std::sqrt(trace);
 }
 
-/// Vertices of the smooth surface in the middle of whose domes the flat triangles lie, as
-/// lowerVertices() of Surface/CurvedTriangles.h, with domes that are quadratic.
+/// Compute vertices of a smooth surface whose domes have the flat triangles as mean. This is
+/// lowerVertices() of Surface/CurvedTriangles.h for quadratic domes and a lumped mass matrix.
 Points lowered(const Mesh& mesh, const Points& normals)
 {
   const Points& positions = mesh.Positions;

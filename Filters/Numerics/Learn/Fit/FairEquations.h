@@ -1,5 +1,7 @@
-/// Equations of fairing: squared distances of samples, and the change of curvature of a mesh; own
-/// construction.
+/// Set up the equations of fairing (FairFit.h): squared distances of samples to a mesh, and the
+/// change of mean curvature over the mesh. Own construction, since the moves of vertices along
+/// their normals are the only unknowns. The curvature is computed by the Laplacian of \cite
+/// Pinkall1993.
 
 #ifndef ConformalFairEquations_h
 #define ConformalFairEquations_h
@@ -16,57 +18,64 @@
 
 namespace conformal
 {
-constexpr Index NumberOfProbes = 8; ///< random vectors for covariances
+constexpr Index NumberOfProbes = 8; ///< number of random vectors that represent a covariance
 
-/// Symmetric tensors of the vertices, #V by 6: xx, yy, zz, yz, xz, xy.
+/// Symmetric tensors, one for each vertex, #V by 6. The columns are xx, yy, zz, yz, xz and xy.
 using Tensors = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-/// Which samples count.
+/// Options that select the samples to which the surface is fitted.
 struct FairSamplesOptions
 {
-  double OutlierRatio = 6.0;                   ///< see LocalScale.h
-  Index SamplesPerRound = 1000000;             ///< of a larger cloud
-  unsigned int RandomSeed = 1;                 ///< of the choice of these samples
-  std::function<bool(const Vector3&)> Belongs; ///< whether a sample counts; empty for all
+  double OutlierRatio = 6.0;       ///< limit of the distance of a sample, see LocalScale.h
+  Index SamplesPerRound = 1000000; ///< maximum number of samples; a larger cloud is thinned
+  unsigned int RandomSeed = 1;     ///< seed of the choice of samples
+  /// Test whether a sample is used. If empty, all samples are used.
+  std::function<bool(const Vector3&)> Belongs;
 };
 
-/// What samples ask of the vertices of a mesh that move by u along their normals. Linearized, the
-/// squared distances in a triangle are u A_r u - 2 u g_r + s_r.
+/// Represent the squared distances of samples to a mesh, as a function of the moves u of the
+/// vertices along their normals. The distances are linearized. The squared distances of the samples
+/// with foot points (closest points) in triangle r are then u A_r u - 2 u g_r + s_r.
 class SampleDistances
 {
 public:
-  /// @param[in] normals    #V by 3, of the vertices
-  /// @param[in] neighbors  vertexNeighbors of the triangles
+  /// @param[in] normals  vertex normals, #V by 3
+  /// @param[in] neighbors  result of vertexNeighbors() for the triangles of the mesh
   /// @throws Aborted
   /// @post the same bits for any number of threads and ranks
   SampleDistances(const TrainingSamples& samples, const FairSamplesOptions& options,
     const Mesh& mesh, const Points& normals, const Adjacency& neighbors, const Run& run = {});
 
-  /// Sum over the triangles, each times its precision: u A u - 2 u g + s.
+  /// Sum of the squared distances over all triangles, each multiplied by a precision: u A u - 2 u g
+  /// + s. The precision of a triangle is the inverse of the variance of its samples.
   struct Sum
   {
     SparseMatrix Matrix;   ///< A
     Eigen::VectorXd Right; ///< g
     double Constant = 0.0; ///< s
-    Columns Probes;        ///< random vectors of covariance A, which is that of g for noise of 1
+    /// Random vectors with covariance A. For noise of variance 1, g has the same covariance.
+    Columns Probes;
   };
-  /// @param[in] precisions  #V; a triangle has the mean of its corners
+  /// @param[in] precisions  precision at each vertex, #V; a triangle has the mean of its corners
   Sum sum(const Eigen::VectorXd& precisions) const;
 
-  /// Squared distances after displacements; a third of a triangle's at each of its corners.
+  /// Compute the squared distances after the given moves. Each corner of a triangle gets a third of
+  /// the sum of the triangle.
   Eigen::VectorXd squaresAt(const Eigen::VectorXd& displacements) const;
 
-  /// Mean increase of the squared distances by random deviations of mean zero.
+  /// Compute the expected increase of the squared distances by random moves of mean zero.
   Eigen::VectorXd increaseAt(const Eigen::VectorXd& deviations) const;
 
-  /// Number of the samples; their number at each vertex, a third of a triangle's at each corner.
+  /// Return the number of samples.
   double count() const { return this->Count; }
+  /// Return the number of samples at each vertex. Each corner of a triangle gets a third of the
+  /// samples of the triangle.
   Eigen::VectorXd countsAt() const;
 
-  /// Weight of the samples.
+  /// Return the sum of the weights of all samples.
   double mass() const { return this->Mass; }
 
-  /// #F, weight of the samples that have their foot points in each triangle.
+  /// Return the sum of the weights of the samples in each triangle, #F.
   const std::vector<double>& masses() const { return this->Masses; }
 
 private:
@@ -76,52 +85,53 @@ private:
     Vector3 Right = Vector3::Zero();
     double Constant = 0.0, Count = 0.0;
   };
-  /// u A_r u + factor (s_r - 2 u g_r), a third at each corner.
+  /// Compute u A_r u + factor (s_r - 2 u g_r) for each triangle, and add a third to each corner.
   Eigen::VectorXd quadraticAt(const Eigen::VectorXd& u, double factor) const;
 
   Triangles Corners;
-  Index Size; // of the vertices
+  Index Size; // number of vertices
   std::vector<OfTriangle> Sums;
   std::vector<double> Masses;
   double Count = 0.0, Mass = 0.0;
 };
 
-/// Mean curvature of a mesh, and how it changes with displacements u along the normals: h + C u
-/// with C = M^-1 L, the Laplacian of \cite Pinkall1993.
+/// Represent the mean curvature of a mesh as a linear function h + C u of the moves u of the
+/// vertices along their normals. The matrix is C = M^-1 L, with the Laplacian L of \cite
+/// Pinkall1993 and the areas M around the vertices.
 ///
-/// The mesh is one that was fitted by least squares. Its flat triangles lie in the middle of the
-/// samples, its vertices outside of ridges: h is that of a smooth surface with its vertices moved
-/// back.
+/// The flat triangles of a fitted mesh pass through the middle of the samples. On ridges, the
+/// vertices are therefore outside of the object. The curvature h is that of the smooth surface,
+/// whose vertices are moved inward there (lowerVertices() of Surface/CurvedTriangles.h).
 class CurvatureChange
 {
 public:
   CurvatureChange(const Mesh& mesh, const Points& normals);
 
-  /// Compute the squared gradients of the curvature h + C u at each vertex: the integral of the
-  /// tensor over a third of the triangles around the vertex.
+  /// Compute g g^T at each vertex, where g is the gradient of the curvature h + C u. The tensor is
+  /// integrated over a third of the triangles around the vertex.
   Tensors squaresAt(const Eigen::VectorXd& displacements) const;
-  /// Compute the squared gradients of C u at each vertex.
+  /// Compute the tensors of squaresAt() for the curvature C u, without h.
   Tensors homogeneousSquaresAt(const Eigen::VectorXd& deviations) const;
 
-  /// Energy of third order, the sum of squared gradients divided by their variances,
-  /// u K u + 2 u f + constant. It is zero for spheres and cylinders.
+  /// Penalty of the change of curvature: the sum of squared gradients, divided by the variances of
+  /// the gradients. As a function of the moves u, the penalty is u K u + 2 u f + constant.
   struct Energy
   {
     SparseMatrix Matrix;   ///< K
     Eigen::VectorXd Force; ///< f
-    Columns Probes;        ///< random vectors of covariance K
+    Columns Probes;        ///< random vectors with covariance K
   };
-  /// @param[in] variances  expected squares at each vertex, not zero. They differ by direction, so
-  ///   that a ridge is smoothed along, but not across.
-  /// @param[in] sharp      #V, vertices on creases; the energy is not summed around them, except
-  ///   for a small share that keeps the equations regular
+  /// @param[in] variances  expected value of the tensors of squaresAt(), not zero
+  /// @param[in] sharp  whether each vertex is on a crease, #V. Triangles at such a vertex have only
+  ///   a small weight, which keeps the equations regular.
   Energy energy(const Tensors& variances, const std::vector<bool>& sharp) const;
 
 private:
   Tensors squaresOf(const Eigen::VectorXd& curvatures) const;
 
   Triangles Corners;
-  /// For each triangle, gradients of the barycentric weights times the square root of its area.
+  /// Gradients of the barycentric coordinates of each triangle, multiplied by the square root of
+  /// the area.
   std::vector<Eigen::Matrix3d> Slopes;
   Eigen::VectorXd Curvatures; // h
   SparseMatrix Change;        // C

@@ -15,33 +15,35 @@ namespace conformal
 {
 namespace
 {
-constexpr int Rings = 3; // of neighbors that the energy couples
+constexpr int Rings = 3; // rings of neighbors that the penalty couples
 
-// Weights that are tried with one factorization, in powers of ten. A softer first weight is not
-// looked for where the surface has this share of freedom: later solutions find it by place.
+// Weights that are tried with one factorization, as powers of ten. If the surface has at least the
+// fraction EnoughFreedom of its free parameters, no smaller weight is tried: the second solution
+// finds smaller weights where they are needed.
 constexpr double FirstWeight = 3.0, LadderEnd = 1.5, LadderStep = 0.25, LadderMove = 2.5;
 constexpr double EnoughFreedom = 0.5;
 constexpr int MaximumLadders = 4, KrylovSteps = 8;
 
-// Measured on Igea with noise up to 0.002: 2 to 4 is best for its detail, and 1 leaves noise. The
-// mean of variances that differ from vertex to vertex overestimates most of them.
+// Factor of the variance of the noise in the second solution. Measured on Igea with noise up to
+// 0.002: values from 2 to 4 keep its detail best, and 1 leaves noise. The factor exceeds 1 since
+// the mean of variances of different vertices overestimates most of them.
 constexpr double WeightOfVariance = 2.5;
 
-// Steps of diffusion for means around a vertex.
+// Numbers of diffusion steps by which means around a vertex are computed.
 constexpr int SpreadOfChange = 2, SpreadOfNoise = 12, SpreadOfError = 4;
 constexpr double MinimumChange = 1e-5; // of the mean
 constexpr double FirstChange = 0.1;    // of the mean, added to the changes of the fitted mesh
 constexpr double TypicalCount = 0.2;   // samples of typical noise, for each sample of a vertex
 constexpr double MaximumPrecision = 100.0;
 
-// A surface that turns away from the normal of a vertex by more than 66 degrees is too sharp for a
-// displacement along the normal. The vertex stays then.
+// If a triangle is inclined to the normal of a vertex by more than 66 degrees, a move along the
+// normal is not meaningful. The vertex does not move.
 constexpr double MinimumCosine = 0.4;
 constexpr double AnchorOfSharp = 100.0; // weight of the displacement, in samples of a vertex
 
 constexpr double Ridge = 1e-10; // of the diagonal
 
-/// Values spread over the vertices around; their sum stays.
+/// Spread values over neighboring vertices. The sum of the values does not change.
 Eigen::VectorXd diffused(const Adjacency& neighbors, Eigen::VectorXd values, int steps)
 {
   for (int step = 0; step < steps; ++step)
@@ -59,14 +61,14 @@ Eigen::VectorXd diffused(const Adjacency& neighbors, Eigen::VectorXd values, int
   return values;
 }
 
-/// Ratio of sums around each vertex.
+/// Compute the ratio of two sums around each vertex.
 Eigen::VectorXd meanAround(
   const Adjacency& neighbors, const Eigen::VectorXd& sums, const Eigen::VectorXd& counts, int steps)
 {
   return diffused(neighbors, sums, steps).cwiseQuotient(diffused(neighbors, counts, steps));
 }
 
-/// Find vertices with triangles that face another way than the normal.
+/// Find vertices with a triangle that is strongly inclined to the vertex normal.
 std::vector<bool> sharpVertices(const Mesh& mesh, const Points& normals)
 {
   std::vector<bool> sharp(mesh.Positions.rows(), false);
@@ -89,8 +91,8 @@ struct Solution
   Eigen::VectorXd Displacements; // u
   Columns Deviations;            // random vectors of the covariance of u, for noise of 1
   double DegreesOfFreedom = 0.0;
-  double Variance = 0.0; // of noise
-  double Score = 0.0;    // of generalized cross-validation
+  double Variance = 0.0; // variance of the noise
+  double Score = 0.0;    // score of generalized cross-validation; low is good
 };
 
 /// Minimize the squared distances plus a weight times the energy.
@@ -122,7 +124,7 @@ public:
     return solution;
   }
 
-  /// Solution of the weight with the lowest score.
+  /// Find the weight with the lowest score, and return its solution.
   Solution solveByCrossValidation(const Run& run) const
   {
     enum
@@ -263,7 +265,8 @@ public:
   }
 
 private:
-  /// Means of squares around each vertex, without creases, plus a share of the mean of all.
+  /// Compute the mean of squares around each vertex, without creases. Add a fraction of the mean
+  /// over all vertices.
   Tensors changesAround(Tensors squares, double share) const
   {
     constexpr double smallest = 1e-300; // of a plane
@@ -291,8 +294,8 @@ private:
     const bool first = this->Last.Displacements.size() == 0;
     if (first)
     {
-      // Noise adds the same to the change in all places. Thus the first weights differ less by
-      // place than they should, but ridges and creases are not smoothed away.
+      // The noise adds about the same change of curvature everywhere. The first weights thus differ
+      // less from vertex to vertex than they should, but ridges and creases are kept.
       this->Changes = this->changesAround(
         change.squaresAt(Eigen::VectorXd::Zero(this->Ones.size())), FirstChange);
     }
@@ -329,9 +332,9 @@ private:
   Mesh Surface;
   const Adjacency Neighbors;
   const Eigen::VectorXd Ones;
-  Tensors Changes;            // variances of the change of curvature, by place
-  Eigen::VectorXd Precisions; // of samples, by place
-  std::vector<bool> Sharp;    // vertices that stay on creases
+  Tensors Changes;            // variances of the change of curvature at each vertex
+  Eigen::VectorXd Precisions; // inverse variances of the samples at each vertex
+  std::vector<bool> Sharp;    // vertices on creases, which do not move
   Solution Last;
   double Variance = 0.0;
 };

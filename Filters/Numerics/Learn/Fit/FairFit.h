@@ -1,4 +1,8 @@
-/// Fairing of a fitted mesh, as smooth in each place as the samples show the object to be.
+/// Make a fitted mesh fair: remove the noise of the samples from the surface, but keep the detail
+/// of the object. The amount of smoothing is found from the samples, separately for each part of
+/// the surface. Own construction from published parts, since one amount of smoothing does not suit
+/// both smooth and detailed parts. The parts are cross-validation \cite Craven1979 and variances by
+/// expectation and maximization \cite Dempster1977.
 
 #ifndef ConformalFairFit_h
 #define ConformalFairFit_h
@@ -15,35 +19,46 @@ namespace conformal
 {
 struct FairFitOptions : FairSamplesOptions
 {
-  std::vector<bool> Creases; ///< #V, whether a vertex is on a sharp edge; or empty
-  double Smoothness = 1.0;   ///< factor of the weight that is found, in [1e-6, 1e6]
+  /// Whether each vertex is on a sharp edge of the object, #V; empty if there are no sharp edges.
+  std::vector<bool> Creases;
+  double Smoothness = 1.0; ///< factor of the smoothing that is found, in [1e-6, 1e6]
 };
 
 struct FairFitResult
 {
-  std::vector<double> StandardError; ///< #V, along the normals; max radius 1
-  double DegreesOfFreedom = 0.0;     ///< of the surface; #V for one that is not smoothed
-  /// Median over places of the samples' variance along the normal: noise, and detail that is too
-  /// fine for the mesh.
+  /// Standard error of each vertex along its normal, in the unit of the samples, #V.
+  std::vector<double> StandardError;
+  /// Number of free parameters of the surface, at most #V. Smoothing decreases this number.
+  double DegreesOfFreedom = 0.0;
+  /// Variance of the samples along the normals of the surface, the median over all vertices. The
+  /// variance contains noise, and detail that is too fine for the mesh.
   double Variance = 0.0;
 };
 
-/// Move the vertices of a fitted mesh along their normals, to minimize the squared distances of the
-/// samples plus a weight times the squared change of mean curvature (FairEquations.h).
+/// Move the vertices of a fitted mesh along their normals. The moves minimize the squared distances
+/// of the samples to the surface, plus a penalty: a weight times the squared change (gradient) of
+/// the mean curvature (FairEquations.h). The mean curvature of a sphere and of a cylinder does not
+/// change, so that the penalty does not shrink them.
 ///
-/// The first solution has variances of the change of curvature in proportion to those of the fitted
-/// mesh. Its weight is found by generalized cross-validation \cite Craven1979, with degrees of
-/// freedom from a random vector \cite Hutchinson1989. For the second solution, noise and change of
-/// curvature are Gaussian, with variances that differ by position; own construction. A variance is
-/// the mean around a vertex of the squares that the first solution leaves, plus those of its
-/// uncertainty, as in a step of the EM algorithm \cite Dempster1977. Variances of the change also
-/// differ by direction. Smooth parts are thus smoothed, and detail and ridges remain.
+/// The minimum is computed twice.
 ///
-/// Vertices in holes of the data and on creases stay. The surface is not smoothed across creases.
-/// Creases are options.Creases, and edges too sharp for displacements along normals.
+/// 1. The first penalty has one weight, which is divided at each vertex by the squared change of
+///    curvature of the fitted mesh. The weight is found by generalized cross-validation
+///    \cite Craven1979: the surface must predict samples that were left out. The number of free
+///    parameters of the surface is estimated with a random vector \cite Hutchinson1989.
+/// 2. The second minimum is that of a statistical model. Noise of the samples and change of
+///    curvature are independent Gaussian variables. Their variances differ from vertex to vertex. A
+///    variance is the mean square near the vertex after the first solution, plus the square that is
+///    expected from the uncertainty of this solution. This is one step of the EM algorithm
+///    \cite Dempster1977. The variances of the change of curvature also depend on the direction, so
+///    that a ridge is smoothed along the ridge, but not across.
 ///
-/// @param[in,out] mesh  closed; vertices in the samples' unit, fitted by least squares
-/// @throws NumericalFailure where the equations cannot be solved; the mesh is then as it was
+/// A vertex does not move if it is in a hole of the samples, or on a crease. Creases are the
+/// vertices of options.Creases, and vertices at which a triangle is inclined to the vertex normal
+/// by more than 66 degrees. The penalty does not couple the two sides of a crease.
+///
+/// @param[in,out] mesh  closed mesh in the unit of the samples, fitted by least squares
+/// @throws NumericalFailure if the equations cannot be solved; the mesh is then unchanged
 /// @throws Aborted
 /// @post the same bits for any number of threads and ranks
 FairFitResult fairFit(
