@@ -1,7 +1,7 @@
 /// Set up the equations of fairing (FairFit.h): squared distances of samples to a mesh, and the
 /// change of mean curvature over the mesh. Own construction, since the moves of vertices along
-/// their normals are the only unknowns. The curvature is computed by the Laplacian of \cite
-/// Pinkall1993.
+/// their normals are the only unknowns. The Laplacian for the curvature is that
+/// of \cite Pinkall1993.
 
 #ifndef ConformalFairEquations_h
 #define ConformalFairEquations_h
@@ -96,8 +96,8 @@ private:
 };
 
 /// Represent the mean curvature of a mesh as a linear function h + C u of the moves u of the
-/// vertices along their normals. The matrix is C = M^-1 L, with the Laplacian L of \cite
-/// Pinkall1993 and the areas M around the vertices.
+/// vertices along their normals. The matrix is C = M^-1 L. L is the Laplacian of
+/// \cite Pinkall1993 and M contains the areas M around the vertices.
 ///
 /// The flat triangles of a fitted mesh pass through the middle of the samples. On ridges, the
 /// vertices are therefore outside of the object. The curvature h is that of the smooth surface,

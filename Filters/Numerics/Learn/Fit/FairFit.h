@@ -44,8 +44,8 @@ struct FairFitResult
 ///
 /// 1. The first penalty has one weight, which is divided at each vertex by the squared change of
 ///    curvature of the fitted mesh. The weight is found by generalized cross-validation
-///    \cite Craven1979: the surface must predict samples that were left out. The number of free
-///    parameters of the surface is estimated with a random vector \cite Hutchinson1989.
+///    \cite Craven1979, in which the surface must predict samples that are left out. The number of
+///    free parameters of the surface is estimated with a random vector \cite Hutchinson1989.
 /// 2. The second minimum is that of a statistical model. Noise of the samples and change of
 ///    curvature are independent Gaussian variables. Their variances differ from vertex to vertex. A
 ///    variance is the mean square near the vertex after the first solution, plus the square that is
