@@ -97,7 +97,7 @@ private:
 
 /// Represent the mean curvature of a mesh as a linear function h + C u of the moves u of the
 /// vertices along their normals. The matrix is C = M^-1 L. L is the Laplacian of
-/// \cite Pinkall1993 and M contains the areas M around the vertices.
+/// \cite Pinkall1993 and M contains the areas around the vertices.
 ///
 /// The flat triangles of a fitted mesh pass through the middle of the samples. On ridges, the
 /// vertices are therefore outside of the object. The curvature h is that of the smooth surface,
