@@ -15,6 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow, vtkWindowT
 import baselines
 import how_it_works
 import webs
+import zebra
 from baselines import expect_picture, require_display
 from helpers import textures
 from helpers.builtin_figure import bear, dancer, figure_cloud, figure_surface, zero_set
@@ -516,6 +517,17 @@ class TestWebs(unittest.TestCase):
             drawn.SetFileName(path)
             drawn.Update()
             expect_picture(self, drawn, "Webs")
+
+
+class TestZebra(unittest.TestCase):
+    def test_reflections(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "zebra.png")
+            zebra.write(path)
+            drawn = vtkPNGReader()
+            drawn.SetFileName(path)
+            drawn.Update()
+            expect_picture(self, drawn, "Zebra")
 
 
 class TestHowItWorks(unittest.TestCase):

@@ -237,8 +237,8 @@ Vector3 normalOf(const Points& points, const Triangles& triangles, int r)
   return (b - a).stableNormalized().cross((c - a).stableNormalized()).stableNormalized();
 }
 
-// Root mean square angle between the planes of pairs of triangles [degrees]. Pairs with a triangle
-// of no area are left out.
+// Root mean square angle between the planes of pairs of triangles [degrees]. Pairs without a
+// reference triangle, or with a triangle of zero area, are left out.
 double normalAngle(const Points& model, const Triangles& modelTriangles,
   const std::vector<int>& ofModel, const Points& reference, const Triangles& referenceTriangles,
   const std::vector<int>& ofReference)
@@ -246,6 +246,10 @@ double normalAngle(const Points& model, const Triangles& modelTriangles,
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < ofModel.size(); ++i)
   {
+    if (ofReference[i] < 0)
+    {
+      continue; // distances beyond the range of doubles
+    }
     const Vector3 n = normalOf(model, modelTriangles, ofModel[i]),
                   m = normalOf(reference, referenceTriangles, ofReference[i]);
     if (!n.isZero(0.0) && !m.isZero(0.0))
