@@ -39,8 +39,8 @@ struct FairFitResult
 /// uncertainty, as in a step of the EM algorithm \cite Dempster1977. Variances of the change also
 /// differ by direction. Smooth parts are thus smoothed, and detail and ridges remain.
 ///
-/// Vertices in holes of the data and on creases stay. The surface is not smoothed across creases.
-/// Creases are options.Creases, and edges too sharp for displacements along normals.
+/// Vertices in holes of the data and on creases stay, and so do vertices whose triangles face too
+/// differently for displacements along normals. The surface is not smoothed across creases.
 ///
 /// @param[in,out] mesh  closed; vertices in the samples' unit, fitted by least squares
 /// @throws NumericalFailure where the equations cannot be solved; the mesh is then as it was
