@@ -214,6 +214,7 @@ public:
     , Surface(mesh)
     , Neighbors(vertexNeighbors(mesh.Triangles, mesh.Positions.rows()))
     , Ones(Eigen::VectorXd::Ones(mesh.Positions.rows()))
+    , Creases(options.Creases.empty() ? std::vector<bool>(mesh.Positions.rows()) : options.Creases)
     , Precisions(this->Ones)
   {
   }
@@ -232,13 +233,11 @@ public:
     const CurvatureChange change(this->Surface, normals);
     const std::vector<bool> bare = bareVertices(
       this->Surface.Positions, this->Surface.Triangles, this->Neighbors, distances.masses());
-    this->Sharp = sharpVertices(this->Surface, normals);
+    const std::vector<bool> sharp = sharpVertices(this->Surface, normals);
     Eigen::VectorXd anchors(this->Ones.size());
     for (Index i = 0; i < anchors.size(); ++i)
     {
-      this->Sharp[i] =
-        this->Sharp[i] || (!this->Options.Creases.empty() && this->Options.Creases[i]);
-      anchors[i] = this->Sharp[i] ? AnchorOfSharp : bare[i] ? 1.0 : 0.0;
+      anchors[i] = sharp[i] || this->Creases[i] ? AnchorOfSharp : bare[i] ? 1.0 : 0.0;
     }
     this->solve(distances, change, anchors, steps.next());
     for (Index i = 0; i < this->Surface.Positions.rows(); ++i)
@@ -274,7 +273,7 @@ private:
     Eigen::VectorXd counts = this->Ones;
     for (Index i = 0; i < counts.size(); ++i)
     {
-      counts[i] = this->Sharp[i] ? few : 1.0;
+      counts[i] = this->Creases[i] ? few : 1.0;
     }
     squares.array().colwise() *= counts.array();
     Tensors changes(squares.rows(), squares.cols());
@@ -299,7 +298,7 @@ private:
       this->Changes = this->changesAround(
         change.squaresAt(Eigen::VectorXd::Zero(this->Ones.size())), FirstChange);
     }
-    const CurvatureChange::Energy energy = change.energy(this->Changes, this->Sharp);
+    const CurvatureChange::Energy energy = change.energy(this->Changes, this->Creases);
     const FairSystem system(sum, distances.count(), energy, this->Surface.Positions);
     this->Last = first
       ? system.solveByCrossValidation(run)
@@ -332,9 +331,9 @@ private:
   Mesh Surface;
   const Adjacency Neighbors;
   const Eigen::VectorXd Ones;
+  const std::vector<bool> Creases;
   Tensors Changes;            // variances of the change of curvature at each vertex
   Eigen::VectorXd Precisions; // inverse variances of the samples at each vertex
-  std::vector<bool> Sharp;    // vertices on creases, which do not move
   Solution Last;
   double Variance = 0.0;
 };

@@ -53,9 +53,9 @@ struct FairFitResult
 ///    \cite Dempster1977. The variances of the change of curvature also depend on the direction, so
 ///    that a ridge is smoothed along the ridge, but not across.
 ///
-/// A vertex does not move if it is in a hole of the samples, or on a crease. Creases are the
-/// vertices of options.Creases, and vertices at which a triangle is inclined to the vertex normal
-/// by more than 66 degrees. The penalty does not couple the two sides of a crease.
+/// A vertex does not move if it is in a hole of the samples or on a crease (options.Creases), or if
+/// a triangle is inclined to the vertex normal by more than 66 degrees. The penalty does not couple
+/// the two sides of a crease.
 ///
 /// @param[in,out] mesh  closed mesh in the unit of the samples, fitted by least squares
 /// @throws NumericalFailure if the equations cannot be solved; the mesh is then unchanged
