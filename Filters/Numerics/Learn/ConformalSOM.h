@@ -62,7 +62,7 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
 /// Each sample is projected to the closest point of the mesh, in some triangle. The sample belongs
 /// to the corner of this triangle with the largest barycentric weight at the projection. A vertex
 /// without samples gets 0. At most options.Batch.SamplesPerNeuron samples per vertex are used, so
-/// that the cost does not grow with the cloud.
+/// that the cost is independent of the number of samples.
 /// @param[in] result  learned mesh with #N vertices
 /// @return #N distances
 std::vector<double> quantizationErrors(const TrainingSamples& samples,

@@ -24,7 +24,7 @@ struct LearningStage
   int StartNumber = 1;
   std::string Start; ///< name of the start surface, such as "sphere" or "hull"
   /// Name of the stage, for example:
-  /// - "level 8": after training on the network of frequency 8,
+  /// - "level 8": after training on the network of frequency 8, a subdivided icosahedron,
   /// - "turn 1": after the first fit that is followed by remeshing,
   /// - "fit": after the final fit,
   /// - "kept": the best result of all start surfaces.

@@ -30,15 +30,15 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// in the list:
 /// - Given mesh: if a start mesh with SpherePositions is given, this mesh is the only start
 ///   surface.
-/// - Own mesh: a given start mesh without SpherePositions is the samples' own mesh. This mesh is
-///   the first start surface.
+/// - Own mesh: if a start mesh without SpherePositions is given, its vertices are the samples. This
+///   mesh is the first start surface.
 /// - Sphere: only for StartingShape Automatic or Sphere. For a geodesic mesh, the sphere is the
 ///   only start surface.
 /// - Hull (closed surface around the samples): only for StartingShape Automatic or Hull. If an
 ///   adaptive mesh is learned from samples of affine rank below 3, the hull replaces the sphere.
 ///   The affine rank is 2 for samples in a plane, and 1 for samples on a line.
-/// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad. The
-///   hull is made by the method that was not used before.
+/// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad.
+///   This hull is made by the method that was not used for the first hull.
 ///
 /// Of two results, the better one has the lower defectScore(). However, a result with webs is
 /// replaced by the next result, whatever the scores. If the affine rank is below 3, results cannot

@@ -16,7 +16,7 @@
 namespace conformal
 {
 /// Neurons in blocks. The neurons of a block are close together on the sphere, and several blocks
-/// form a group. Each block and each group has two bounds:
+/// form a group. For each block and each group, two bounds are stored:
 /// - a ball that contains the network positions n_i, which do not change
 /// - a box that contains the current weight vectors w_i
 class NeuronBlocks
