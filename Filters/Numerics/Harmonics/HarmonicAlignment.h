@@ -33,14 +33,15 @@ struct HarmonicAlignment
 ///
 /// The surface is moved so that the center of the ellipsoid is at the origin. The longest, middle
 /// and shortest axis of the ellipsoid become the x, y and z axis. The map is rotated so that the
-/// ends of these axes are mapped to the x, y and z axis of the sphere.
+/// positive ends of the ellipsoid's axes are mapped to the positive x, y and z axis of the sphere.
 ///
 /// Each axis has two ends, one of which becomes the positive end. On the longest and the middle
 /// axis, the positive end is the one to which the surface extends farther. This end is found by the
-/// third moment, the integral over the sphere of the cubed coordinate along the axis. If the third
-/// moment is zero, the positive end is chosen by its position on the sphere before the rotation.
-/// The coordinate of largest magnitude of this position is positive. The shortest axis completes a
-/// right-handed frame. If two axes have equal lengths, their order is arbitrary.
+/// sign of the third moment, the integral over the sphere of the cubed coordinate along the axis.
+/// If the third moment is zero, the end is chosen by the positions of both ends on the sphere
+/// before the rotation. At the positive end, the coordinate of largest magnitude is positive. The
+/// shortest axis completes a right-handed frame. If two axes have equal lengths, their order is
+/// arbitrary.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 
