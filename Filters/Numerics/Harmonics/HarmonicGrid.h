@@ -35,8 +35,8 @@ public:
   /// @return size() by #C values
   Columns synthesize(const Columns& coefficients, const Run& run = {}) const;
 
-  /// Integrate values times harmonics over the sphere. If the values are those of a function of
-  /// degree D, and D + L is at most the degree of the grid, the integrals are exact.
+  /// Integrate values times harmonics over the sphere. Let D be the degree of the function that has
+  /// the given values. If D + L is at most the degree of the grid, the integrals are exact.
   /// @param[in] values  size() by #C values in the directions of the grid
   /// @param[in] degree  maximum degree L of the harmonics
   /// @return (L + 1)^2 by #C integrals. If the integrals are exact, they are the coefficients of

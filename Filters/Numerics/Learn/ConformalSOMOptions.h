@@ -93,11 +93,13 @@ struct StartReport
   conformal::HullMethod Hull = HullMethod::Automatic;
   /// Whether the normals of the samples were used to make the hull.
   bool NormalsUsed = false;
-  /// Whether holes between the points are about as wide as the cavity behind them. The inside of
-  /// the hull is then uncertain. Computed only for a hull by HullMethod::Distance.
+  /// Whether the points have a hole that is about as wide as the cavity behind the hole. The
+  /// boundary between inside and outside is then uncertain. Computed only for a hull by
+  /// HullMethod::Distance.
   bool HullLeaks = false;
-  /// Fraction of the hull's area on cuts that open handles (like that of a cup), in [0, 1]. If the
-  /// fraction is above 0, the object is not of genus zero, or limbs touch each other.
+  /// Fraction of the hull's area on cuts, in [0, 1]. A cut opens a handle, like that of a cup,
+  /// since a hull has no handles. If the fraction is above 0, the object is not of genus zero, or
+  /// its limbs touch each other.
   double CutFraction = 0.0;
   /// Number of samples outside of the hull and not near it. These samples are outliers, or separate
   /// parts of the object.

@@ -2,8 +2,8 @@
 /// (with triangles of about equal size), the start surface is then fitted to samples. StartSearch.h
 /// decides which function of this file is called.
 ///
-/// Own construction, not from a publication: a start surface is made in one of three ways: from a
-/// sphere, from a hull, or from a given mesh. No single start surface suits all shapes.
+/// Own construction, not from a publication: a start surface is made from a sphere, from a hull, or
+/// from a given mesh. No single start surface suits all shapes.
 
 #ifndef ConformalFirstSurface_h
 #define ConformalFirstSurface_h

@@ -39,8 +39,8 @@ struct ConsistentRemeshOptions
   Index NumberOfPoints = 20000;
 };
 
-/// Points of all surfaces with the directions of a common mesh. #S is the number of surfaces and #V
-/// the number of points of the common mesh.
+/// Points of all surfaces with the directions of a common mesh. There are #S surfaces. The common
+/// mesh has #V points.
 struct ConsistentMeshes
 {
   /// Common mesh: unit vectors (directions) and triangles. Seen from outside, the triangles are

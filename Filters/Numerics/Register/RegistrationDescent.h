@@ -40,9 +40,9 @@ struct SpherePair
 struct RegistrationWeights
 {
   double Stretch = 1.0; ///< weight of the symmetric Dirichlet energy
-  /// Factor of the sphere's metric (the dot products of the edge vectors of each triangle). The
-  /// sphere's metric times this factor is added to the metric of each surface. From these sums, the
-  /// stretch is computed, see descend().
+  /// Factor of the sphere's metric in the stretch, see descend(). A metric consists of the dot
+  /// products of the edge vectors of each triangle. The sphere's metric times this factor is added
+  /// to the metric of each surface.
   double Sphere = 0.1;
   /// Weight of the barrier, an energy term that prevents folds. The barrier is the symmetric
   /// Dirichlet energy of the deformation of the sphere. For a triangle of zero area, the barrier is
@@ -55,8 +55,9 @@ struct RegistrationWeights
 /// Values of the registration energy and of its terms. An isometric map preserves all lengths.
 struct RegistrationEnergy
 {
-  double Stretch = 0.0;  ///< stretch of the map, see descend(); 1 if the map is isometric
-  double Barrier = 0.0;  ///< weighted energy of the sphere's deformation; 0 for a rotation
+  double Stretch = 0.0; ///< stretch of the map, see descend(); 1 if the map is isometric
+  /// Weighted barrier against folds, see RegistrationWeights; 0 if the sphere is only rotated.
+  double Barrier = 0.0;
   double Features = 0.0; ///< weighted mean square difference of the features of both surfaces
   /// Mean square distance between landmarks and their targets on the unit sphere.
   double Landmarks = 0.0;
@@ -90,8 +91,8 @@ struct DescentOptions
 /// of the sphere. In this sum of metrics, no triangle has zero area.
 /// @param[in] pairs       landmarks: corresponding positions on the spheres of both surfaces
 /// @param[in,out] places  #V by 3 unit vectors: positions of the vertices of moving.Grid on the
-///   deformed sphere. No triangle may be folded before the call. After the call, no triangle is
-///   folded.
+///   deformed sphere. Precondition: no triangle is folded. The result has no folded triangle,
+///   either.
 /// @return the energy after the last step
 /// @throws Aborted
 RegistrationEnergy descend(const SampledSurface& moving, const SampledSurface& fixed,

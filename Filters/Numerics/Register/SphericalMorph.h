@@ -58,8 +58,8 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 /// @param[in] shapes   #S shapes, at least one, each #V by 3
 /// @param[in] weights  #S, weight of each shape, at least 0. The sum of the weights is 1.
 /// @return the blended shape, #V by 3; a shape of weight 1 is returned unchanged
-/// @throws std::invalid_argument if the number of weights is not #S, a weight is negative, or the
-///   sum of the weights is not 1
+/// @throws std::invalid_argument if the number or the sum of the weights is wrong, or a weight is
+///   negative
 /// @throws Aborted
 Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
   const std::vector<double>& weights, const SphericalMorphOptions& options = {},

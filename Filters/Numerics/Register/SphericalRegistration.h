@@ -21,7 +21,7 @@
 
 namespace conformal
 {
-/// Transforms of the sphere by which the moving surface's map may be changed.
+/// Transforms of the sphere by which registration can change the moving surface's map.
 enum class SpaceOfTransforms
 {
   Rotation,     ///< rotations, which preserve the angles and areas of the map
@@ -58,10 +58,9 @@ struct SphericalRegistrationResult
   /// Stretch (symmetric Dirichlet energy) of the map between the surfaces; 1 if the map is
   /// isometric (preserves lengths).
   double Stretch = 0.0;
-  /// Landmarks are given pairs of corresponding vertices of both surfaces. The target of a landmark
-  /// of the moving surface is the sphere position of the corresponding landmark of the fixed
-  /// surface. This value is the maximum distance between a landmark and its target after
-  /// registration.
+  /// Landmarks are given pairs of corresponding vertices. The target of a vertex of the moving
+  /// surface is the sphere position of the corresponding vertex of the fixed surface. This value is
+  /// the maximum distance between a landmark and its target after registration.
   double LandmarkError = 0.0;
   /// Weighted mean correlation of the features of both surfaces before registration; 1 without
   /// features.
@@ -77,11 +76,11 @@ struct SphericalRegistrationResult
 
 /// Register a moving surface with a fixed surface.
 ///
-/// The score of a map is its energy plus 3 times its pose difference. The energy is the sum of the
-/// stretch of the map, weighted squared differences of features, and terms for landmarks and
-/// against folds. The pose difference is 1 minus the correlation of corresponding positions, after
-/// the best rotation in space. For example, if the head of an animal is matched with a similar
-/// tail, the pose difference is large.
+/// The score of a map is its energy plus 3 times its pose difference. The energy is a sum of the
+/// stretch of the map, weighted squared differences of features, and further terms for landmarks
+/// and against folds. The pose difference is 1 minus the correlation of corresponding positions,
+/// after the best rotation in space. For example, if the head of an animal is matched with a
+/// similar tail, the pose difference is large.
 ///
 /// 1. Find the initial rotations of the moving surface's sphere. If there are at least two
 ///    landmarks, they determine one rotation. Otherwise, up to eight rotations are found by the

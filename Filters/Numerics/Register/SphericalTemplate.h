@@ -68,8 +68,9 @@ struct SphericalTemplateResult
 ///    at most options.Tolerance.
 ///
 /// Each registration begins with the input map of the surface, not with the result of the previous
-/// round. The mean has one landmark for each index: the vertex closest to the mean sphere position
-/// of the landmarks with this index. No vertex is used twice.
+/// round. For each landmark index, the sphere positions of this landmark are averaged over all
+/// surfaces. The vertex of the mean that is closest to this average is the mean's landmark. No
+/// vertex is used twice.
 ///
 /// A different order of the surfaces may result in a different start surface. If the start surface
 /// is the same, results differ only by rounding.

@@ -33,7 +33,7 @@ Eigen::Matrix3d triangleRotation(
 /// of a neighbor with a known vector. Neighbors with the most similar rotations are processed
 /// first.
 ///
-/// With this choice, parts of a shape (limbs) may rotate by more than 180 degrees. Rotations by 360
+/// With this choice, parts of a shape (limbs) can rotate by more than 180 degrees. Rotations by 360
 /// degrees are not supported, since their axes are undefined.
 ///
 /// @param[in] neighbors  adjacent triangles of each triangle: the result of triangleNeighbors()

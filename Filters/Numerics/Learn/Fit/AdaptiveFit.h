@@ -59,11 +59,11 @@ struct AdaptiveStart : LearnedMesh
 /// Then the noise of the samples is removed from the surface (FairFit.h). Where triangles cut off
 /// sharp edges of the object, vertices are finally moved onto these edges (SharpEdges.h).
 ///
-/// The noise of the samples is estimated before the final fit (NoiseEstimate.h). The estimate
-/// compares the distances of samples from two meshes: the mesh before the final fit, and a mesh
-/// with a quarter of its vertices. With more noise, the final fit is smoother. If the noise is
-/// large relative to the edge length, the first turn is repeated with a larger weight of the
-/// smoothness terms.
+/// The noise of the samples is estimated before the final fit (NoiseEstimate.h). For the estimate,
+/// distances of samples from two meshes are compared. One mesh is that before the final fit, and
+/// the other one has a quarter of the vertices. With more noise, the final fit is smoother. If the
+/// noise is large relative to the edge length, the first turn is repeated with a larger weight of
+/// the smoothness terms.
 ///
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks

@@ -38,8 +38,8 @@ struct FairSamplesOptions
 
 /// Squared distances of samples to a mesh, as a function of the moves u of the vertices along their
 /// normals. Each distance is measured along the normal, and is a linear function of u. The foot
-/// point of a sample is its closest point on the mesh. The sum of the squared distances over all
-/// samples with foot points in triangle r is u A_r u - 2 u g_r + s_r.
+/// point of a sample is its closest point on the mesh. The samples with foot points in triangle r
+/// have a sum of squared distances of u A_r u - 2 u g_r + s_r.
 class SampleDistances
 {
 public:
@@ -50,9 +50,8 @@ public:
   SampleDistances(const TrainingSamples& samples, const FairSamplesOptions& options,
     const Mesh& mesh, const Points& normals, const Adjacency& neighbors, const Run& run = {});
 
-  /// Sum of the squared distances over all triangles, each multiplied by the precision of the
-  /// triangle: u A u - 2 u g + s. A precision is the inverse of the variance of the noise, up to a
-  /// common factor.
+  /// Sum over all triangles of the precision of the triangle times its squared distances: u A u - 2
+  /// u g + s. A precision is the inverse of the variance of the noise, up to a common factor.
   struct Sum
   {
     SparseMatrix Matrix;   ///< A

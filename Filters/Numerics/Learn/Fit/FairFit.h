@@ -61,9 +61,9 @@ struct FairFitResult
 ///    the ridge, but not across.
 ///
 /// Vertices in holes of the samples, and vertices on creases, are held near their positions. A
-/// vertex is on a crease if options.Creases marks the vertex. A vertex is also on a crease if the
-/// normals of the vertex and of one of its triangles differ by more than 66 degrees. Across a
-/// crease, the penalty has almost no weight.
+/// vertex is on a crease if options.Creases marks the vertex, or if a triangle at the vertex is
+/// steep. A triangle is steep if its normal and the vertex normal differ by more than 66 degrees.
+/// Across a crease, the penalty has almost no weight.
 ///
 /// @param[in,out] mesh  closed mesh in the unit of the samples, fitted by least squares
 /// @throws NumericalFailure if the equations cannot be solved; the mesh is then unchanged

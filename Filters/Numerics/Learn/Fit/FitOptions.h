@@ -1,4 +1,4 @@
-/// Options of the least-squares fit that a caller of trainConformalSOM() may set. The fit moves the
+/// Options of the least-squares fit that a caller of trainConformalSOM() can set. The fit moves the
 /// vertices of a mesh toward the samples.
 
 #ifndef ConformalFitOptions_h

@@ -20,7 +20,8 @@ namespace conformal
 /// distance is called the maximum radius.
 struct TrainingRecord
 {
-  /// Frequency of the geodesic sphere whose number of triangles is closest to that of the mesh.
+  /// Frequency of the geodesic sphere (a subdivided icosahedron) whose number of triangles is
+  /// closest to that of the mesh.
   int Frequency = 0;
   /// Radius sigma of the neighborhood in which a sample moves vertices, a length on the unit
   /// sphere.
@@ -35,10 +36,11 @@ struct TrainingRecord
   double MeanDisplacement = 0;
 };
 
-/// Learned mesh. In the notation of \cite Liou2008, the mesh in space is the model M^Delta, and
-/// Positions are the weights w_i of its vertices. The mesh on the sphere is the network S^Delta,
-/// and SpherePositions are the network positions n_i. Model and network have the same triangles.
-/// SpherePositions are empty if the mesh has not been mapped to the sphere.
+/// Learned mesh. Positions and triangles are the mesh in space, called model M^Delta in
+/// \cite Liou2008. The positions are called weights w_i there. SpherePositions and triangles are
+/// the mesh on the sphere, called network S^Delta. The sphere positions are called network
+/// positions n_i. Model and network have the same triangles. SpherePositions are empty if the mesh
+/// has not been mapped to the sphere.
 struct LearnedMesh : MappedMesh
 {
   std::vector<TrainingRecord> History; ///< one record for each epoch, pass and iteration

@@ -18,10 +18,10 @@
 
 namespace conformal
 {
-/// Options of leastSquaresFit(). The fit minimizes an energy, which has terms for the distances of
-/// samples and terms for the smoothness of the surface. The mean mass is the total weight of the
-/// samples that are used, divided by the number of vertices. The smoothness is the weight of the
-/// smoothness terms at a vertex, divided by the mean mass.
+/// Options of leastSquaresFit(). The fit minimizes an energy, a sum of terms for the distances of
+/// samples, and smoothness terms. The mean mass is the total weight of the samples that are used,
+/// divided by the number of vertices. The smoothness is the weight of the smoothness terms at a
+/// vertex, divided by the mean mass.
 struct LeastSquaresFitOptions
 {
   int Iterations = 10; ///< number of iterations
@@ -65,12 +65,12 @@ struct LeastSquaresFitOptions
 /// vertex is called the stiffness of the vertex. The stiffness is the smoothness times the mean
 /// mass, see LeastSquaresFitOptions. At vertices without samples nearby, the stiffness is larger,
 /// so that the surface is interpolated there. In the last five iterations, the stiffness is also
-/// larger at folds, where the normals of neighboring triangles differ by more than 90 degrees.
+/// larger at folds. At a fold, normals of neighboring triangles differ by more than 90 degrees.
 ///
 /// Outliers are ignored: samples much farther from the surface than neighboring samples
 /// (LocalScale.h).
 ///
-/// @param[in,out] mesh  mesh in the coordinates of the samples, which are scaled to a maximum
+/// @param[in,out] mesh  mesh in the coordinates of the samples. The samples are scaled to a maximum
 ///   distance of 1 from their centroid. One record per iteration is appended to mesh.History.
 /// @return for each triangle, the total weight of the samples projected to this triangle in the
 ///   last iteration. Without iterations, all values are 0.

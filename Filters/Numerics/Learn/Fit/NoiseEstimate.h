@@ -16,14 +16,14 @@
 namespace conformal
 {
 /// Estimate the variance of the noise, divided by the variance due to unresolved detail on the fine
-/// surface. The estimate is based on the typical square errors of two surfaces, the geometric means
-/// of squared distances between samples and surface. The coarse surface has a quarter of the
-/// vertices of the fine surface.
+/// surface. The estimate is based on the typical square errors of two surfaces. A typical square
+/// error is the geometric mean of the squared distances of samples from a surface. The coarse
+/// surface has a quarter of the vertices of the fine surface.
 ///
 /// Detail is assumed to cause a six times smaller square error on the fine surface. This factor was
-/// measured on scans. For smooth objects and fine meshes, the factor would approach 16, since
-/// errors are four times smaller if edges are half as long. The noise is assumed to cause the same
-/// square error on both surfaces.
+/// measured on scans. For smooth objects and fine meshes, the factor would approach 16. Errors are
+/// then four times smaller if edges are half as long. The noise is assumed to cause the same square
+/// error on both surfaces.
 /// @param[in] coarseError, fineError  typicalSquareError() of both surfaces
 /// @return the ratio, in [0, 10]; 10 if the error of the fine surface is not below that of the
 ///   coarse surface

@@ -1,7 +1,7 @@
 /// Evaluate the quality of a learned surface by its samples.
 ///
-/// Own construction, not from a publication: each defect is measured as a fraction of the samples
-/// or edges, and compared with a tolerance. A reference surface is not needed.
+/// Own construction, not from a publication: each defect is a fraction of the samples or edges, and
+/// is compared with a tolerance. A reference surface is not needed.
 
 #ifndef ConformalSurfaceQuality_h
 #define ConformalSurfaceQuality_h
@@ -49,18 +49,17 @@ struct ToleratedQuality
 ///   sample. If the samples have no consistent normals, the surface normals are assigned to the
 ///   samples. From these normals, the winding number of the samples is computed (WindingNumbers.h).
 ///   The winding number is a function of position: about 1 inside the object, and about 0 outside.
-///   Along a correct outward normal, the winding number decreases. The winding number does not
-///   decrease if the surface is inside out, or if the same samples are near two sides of the
-///   surface.
+///   Along a correct outward normal, the winding number decreases. Otherwise, the surface is inside
+///   out, or two sides of the surface are near the same samples.
 /// - UndersampledFraction: A sample is counted if its distance from the plane through its neighbors
 ///   is above 0.02. Samples are too sparse there for the curvature of the surface.
-/// - LayerDistance: A scan with registration errors may consist of two layers. The offset of a
-///   sample is its signed distance from the surface. In two layers, offsets of neighboring samples
-///   have about two values. Their kurtosis (mean fourth power, divided by the squared variance) is
-///   1 for two values, and 3 for Gaussian noise. Two layers are assumed if the kurtosis is below
-///   2.15. However, offsets of a curved object from a coarse mesh can also have about two values.
-///   Neighboring samples are therefore not counted as layers if they are near a common quadratic
-///   surface.
+/// - LayerDistance: A scan with registration errors can consist of two layers of samples. The
+///   offset of a sample is its signed distance from the surface. In two layers, offsets of
+///   neighboring samples have about two values. Their kurtosis (mean fourth power, divided by the
+///   squared variance) is 1 for two values, and 3 for Gaussian noise. Two layers are assumed if the
+///   kurtosis is below 2.15. However, offsets of a curved object from a coarse mesh can also have
+///   about two values. Neighboring samples are therefore not counted as layers if they are near a
+///   common quadratic surface.
 ///
 /// About 10,000 samples are used. All ranks use the same samples.
 ///

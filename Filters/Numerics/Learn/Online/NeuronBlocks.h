@@ -2,8 +2,8 @@
 /// has a network position on the unit sphere, and a weight vector in space.
 ///
 /// Own construction, not from a publication: each block of neurons has bounds in space and on the
-/// sphere. A search skips the blocks whose bounds are too far away. The search is therefore fast,
-/// and still exact.
+/// sphere. A search for the neuron closest to a sample skips blocks whose bounds are farther than a
+/// neuron found before. The search is therefore fast, and still exact.
 
 #ifndef ConformalNeuronBlocks_h
 #define ConformalNeuronBlocks_h
@@ -30,9 +30,8 @@ public:
   /// several weight vectors are equally close, the lowest id is returned.
   int findWinner(const Vector3& x) const;
 
-  /// Move all neurons i by Eq. 3 of \cite Liou2008, where alpha is the learning rate and sigma the
-  /// neighborhood radius:
-  /// w_i += alpha exp(-|r - n_i|^2 / (2 sigma^2)) (x - w_i).
+  /// Move all neurons i by Eq. 3 of \cite Liou2008. Let alpha be the learning rate, and sigma the
+  /// neighborhood radius. Then: w_i += alpha exp(-|r - n_i|^2 / (2 sigma^2)) (x - w_i).
   ///
   /// Neurons with |r - n_i| above Reach times sigma are not moved. The computed factors of x - w_i
   /// have relative errors of at most 1e-4.

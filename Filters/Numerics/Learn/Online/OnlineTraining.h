@@ -44,10 +44,11 @@ struct OnlineTrainingOptions : OnlineOptions
 /// whose vertices are the neurons. Each neuron has a weight vector, its position in space. Weight
 /// vectors are in the samples' unit (maximum radius 1).
 ///
-/// Implementation note: samples may have priorities. In the second half of the epochs, samples are
-/// drawn with probabilities proportional to their priorities. In the first half, all samples have
-/// equal probabilities. With priorities from the beginning, too few neurons would represent parts
-/// of the surface where samples have low priorities.
+/// Implementation note: samples can have priorities, which are given with the samples. In the
+/// second half of the epochs, samples are drawn with probabilities proportional to their
+/// priorities. In the first half, all samples have equal probabilities. With priorities from the
+/// beginning, too few neurons would represent parts of the surface where samples have low
+/// priorities.
 /// @param[in] network  geodesic sphere of options.Frequency: positions n_i, and triangles
 /// @param[in] start    initial weight vectors w_i(0)
 /// @throws Aborted
