@@ -38,10 +38,10 @@ struct HarmonicAlignment
 /// Each axis has two ends, one of which becomes the positive end. On the longest and the middle
 /// axis, the positive end is the one to which the surface extends farther. The sign of the third
 /// moment determines this end. The third moment is the integral of the cubed coordinate along the
-/// axis over the sphere. If the third moment is zero, positions of the ends on the sphere before
-/// the rotation are used. At the positive end, the coordinate of largest magnitude is positive. The
-/// shortest axis completes a right-handed frame. If two axes have equal lengths, their order is
-/// arbitrary.
+/// axis over the sphere. If the third moment is zero, the ends are compared by their positions on
+/// the sphere before the rotation. At the positive end, the coordinate of largest magnitude is
+/// positive. The shortest axis completes a right-handed frame. If two axes have equal lengths,
+/// their order is arbitrary.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 

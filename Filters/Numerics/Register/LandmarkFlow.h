@@ -53,10 +53,10 @@ struct LandmarkFlowResult
 /// vector omega(x). The coefficients are computed from linear equations. With these coefficients,
 /// every landmark moves along a great circle toward its target.
 ///
-/// If a step would fold a triangle, one landmark is moved less. This landmark is nearest to the
-/// triangle, of the landmarks that have not reached their targets. Its step is halved until no
-/// triangle is folded. If 1/64 of the step still folds a triangle, the landmark is not moved. The
-/// steps of the other landmarks keep their length.
+/// A landmark is called active if it has not reached its target. If a step would fold a triangle,
+/// the active landmark nearest to the triangle is moved less. The step of this landmark is halved
+/// until no triangle is folded. If 1/64 of the step still folds a triangle, the landmark is not
+/// moved. The steps of the other landmarks keep their length.
 /// @param[in] triangles   #F by 3, triangles of a map to the sphere
 /// @param[in] ids         ids of the landmark vertices; no id is repeated
 /// @param[in] targets     target of each landmark: one unit vector per row

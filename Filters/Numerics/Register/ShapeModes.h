@@ -49,9 +49,9 @@ struct ShapeModes
 /// In all sums over vertices, the weight of a vertex is the area around the vertex, averaged over
 /// the shapes. With these weights, regions with many vertices do not dominate the result.
 ///
-/// The score of largest magnitude of each mode is positive. The sign of the mode is chosen
-/// accordingly. Scores are the coefficients of the modes. If several scores of the mode have this
-/// magnitude up to rounding, the first one is positive.
+/// Scores are the coefficients of the modes. The sign of each mode is chosen so that its score of
+/// largest magnitude is positive. If several scores of a mode have this magnitude up to rounding,
+/// the first one is positive.
 ///
 /// @param[in] triangles  triangles of every shape
 /// @param[in] shapes     #S shapes, at least one, each #V by 3

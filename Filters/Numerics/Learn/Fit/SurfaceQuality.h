@@ -48,9 +48,10 @@ struct ToleratedQuality
 /// - InvertedFraction: At each sample, the surface normal is compared with the normal of the
 ///   sample. If the samples have no consistent normals, the surface normals are assigned to the
 ///   samples. From these normals, the winding number of the samples is computed (WindingNumbers.h).
-///   The winding number is a function of position: about 1 inside the object, and about 0 outside.
-///   Along a correct outward normal, the winding number decreases. Otherwise, the surface is inside
-///   out, or two sides of the surface are near the same samples.
+///   The winding number is a function of position. With outward normals, its value is about 1
+///   inside the object, and about 0 outside. Along a correct outward normal, the winding number
+///   decreases. If the winding number does not decrease, the surface is inside out, or two of its
+///   sides are near the same samples.
 /// - UndersampledFraction: A sample is counted if its distance from the plane through its neighbors
 ///   is above 0.02. Samples are too sparse there for the curvature of the surface.
 /// - LayerDistance: A scan with registration errors can consist of two layers of samples. The

@@ -2,8 +2,8 @@
 /// has a network position on the unit sphere, and a weight vector in space.
 ///
 /// Own construction, not from a publication: each block of neurons has bounds in space and on the
-/// sphere. A search for the neuron closest to a sample skips blocks whose bounds are farther than a
-/// neuron found before. The search is therefore fast, and still exact.
+/// sphere. A search for the neuron closest to a sample skips blocks whose bounds are farther away
+/// than the closest neuron so far. The search is therefore fast, and still exact.
 
 #ifndef ConformalNeuronBlocks_h
 #define ConformalNeuronBlocks_h
