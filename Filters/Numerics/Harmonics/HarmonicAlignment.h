@@ -32,15 +32,16 @@ struct HarmonicAlignment
 /// the software SPHARM-PDM. The ellipsoid is the surface that the harmonics of degree 1 define.
 ///
 /// The surface is moved so that the center of the ellipsoid is at the origin. The longest, middle
-/// and shortest axis of the ellipsoid become the x, y and z axis. The map is rotated so that the
-/// ends of these axes are mapped to the x, y and z axis of the sphere.
+/// and shortest axis of the ellipsoid become the x, y and z axis. The map is rotated, too: the
+/// positive end of each axis is mapped to the same axis of the sphere.
 ///
 /// Each axis has two ends, one of which becomes the positive end. On the longest and the middle
-/// axis, the positive end is the one to which the surface extends farther. This end is found by the
-/// third moment, the integral over the sphere of the cubed coordinate along the axis. If the third
-/// moment is zero, the positive end is chosen by its position on the sphere before the rotation.
-/// The coordinate of largest magnitude of this position is positive. The shortest axis completes a
-/// right-handed frame. If two axes have equal lengths, their order is arbitrary.
+/// axis, the positive end is the one to which the surface extends farther. The sign of the third
+/// moment determines this end. The third moment is the integral of the cubed coordinate along the
+/// axis over the sphere. If the third moment is zero, the ends are compared by their positions on
+/// the sphere before the rotation. At the positive end, the coordinate of largest magnitude is
+/// positive. The shortest axis completes a right-handed frame. If two axes have equal lengths,
+/// their order is arbitrary.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 
@@ -54,8 +55,8 @@ HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 /// both surfaces is selected and refined. Correlations are computed with harmonics up to degree 12.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of the positions of the surface
 /// @param[in] reference     coefficients of the reference; its degree L may be different
-/// @param[in] movesSurface  whether to move the surface as well as its map. If false, only the map
-///   is rotated, and surfaces are correlated at their present positions.
+/// @param[in] movesSurface  whether the surface is moved, too. If false, only the map is rotated,
+///   and the correlation is computed from the present positions.
 HarmonicAlignment alignToReference(
   const Columns& coefficients, const Columns& reference, bool movesSurface, const Run& run = {});
 }

@@ -23,12 +23,12 @@ namespace conformal
 /// Larger triangles are therefore also sampled inside, with linearly interpolated values.
 ///
 /// The normal equations are solved by conjugate gradients \cite Hestenes1952. The area density is
-/// the area of the surface per area of the sphere. The matrix of the equations maps the
-/// coefficients of a function to the coefficients of the function times the area density. Only the
-/// part of the density up to degree 2 L affects the product. Therefore, products are computed
-/// exactly on a Gauss-Legendre grid (HarmonicGrid.h), and no dense matrix is formed. The cost is
-/// O(#V L^2) once, and O(L^3) for each of about 20 iterations. The preconditioner divides a
-/// function by the area density of the triangles.
+/// the area of the surface per area of the sphere. Let f be a function. The matrix of the equations
+/// maps the coefficients of f to those of f times the area density. Only the part of the density up
+/// to degree 2 L affects these coefficients. Products of the matrix and a vector can therefore be
+/// computed exactly on a Gauss-Legendre grid (HarmonicGrid.h). No dense matrix is formed. The cost
+/// is O(#V L^2) once, and O(L^3) for each of about 20 iterations. The preconditioner, an
+/// approximate inverse of the matrix, divides a function by the area density of the triangles.
 ///
 /// Implementation note: the software SPHARM-PDM, by M. Styner and others, Insight Journal 1071
 /// (2006), solves dense equations instead. There, all vertices have equal weights.

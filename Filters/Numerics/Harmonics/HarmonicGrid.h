@@ -17,9 +17,9 @@ namespace conformal
 class HarmonicGrid
 {
 public:
-  /// A function has degree D if it is a sum of spherical harmonics up to degree D. Make a grid that
-  /// integrates functions up to the given degree exactly, by sums over its directions. This degree
-  /// is called the degree of the grid.
+  /// Make a grid that integrates functions up to the given degree exactly, by weighted sums over
+  /// its directions. A function has degree D if it is a sum of spherical harmonics up to degree D.
+  /// The given degree is called the degree of the grid.
   explicit HarmonicGrid(int degree);
 
   /// Return the number of directions.
@@ -35,12 +35,12 @@ public:
   /// @return size() by #C values
   Columns synthesize(const Columns& coefficients, const Run& run = {}) const;
 
-  /// Integrate values times harmonics over the sphere. If the values are those of a function of
-  /// degree D, and D + L is at most the degree of the grid, the integrals are exact.
+  /// Integrate values times harmonics over the sphere. Let D be the degree of the function that has
+  /// the given values. If D + L is at most the degree of the grid, the integrals are exact.
   /// @param[in] values  size() by #C values in the directions of the grid
   /// @param[in] degree  maximum degree L of the harmonics
-  /// @return (L + 1)^2 by #C integrals. If they are exact, they are the coefficients of the
-  ///   functions.
+  /// @return (L + 1)^2 by #C integrals. If the integrals are exact, they are the coefficients of
+  ///   the functions.
   Columns analyze(const Columns& values, int degree, const Run& run = {}) const;
 
 private:

@@ -20,15 +20,15 @@ using LegendreLane = Eigen::Array<double, LegendreLanes, 1>;
 /// values of the function of degree l.
 using LegendreBlock = Eigen::Matrix<double, LegendreLanes, Eigen::Dynamic>;
 
-/// Associated Legendre functions P_lm of degree l and order m, without the Condon-Shortley phase.
-/// Let z be the height of a point on the unit sphere, and phi its longitude. The functions are
-/// normalized so that P_l0(z), P_lm(z) cos(m phi) and P_lm(z) sin(m phi) are orthonormal on the
-/// sphere.
+/// Associated Legendre functions P_lm of degree l and order m, without the Condon-Shortley phase,
+/// the factor (-1)^m. Let z be the height of a point on the unit sphere, and phi its longitude. The
+/// functions are normalized so that P_l0(z), P_lm(z) cos(m phi) and P_lm(z) sin(m phi) are
+/// orthonormal on the sphere.
 ///
 /// For each order m, a recursion computes functions of ascending degree, beginning with P_mm. The
 /// recursion is stable: rounding errors do not grow. Near the poles, P_mm can be too small for
-/// doubles even if functions of higher degree are not. There, the recursion computes values times a
-/// power of two, until the values themselves are large enough for doubles.
+/// doubles even if functions of higher degree are not. There, the recursion multiplies values by a
+/// power of two. The multiplication is undone as soon as the values are large enough for doubles.
 class LegendreFunctions
 {
 public:

@@ -18,9 +18,9 @@ constexpr int MaximumHarmonicDegree = 1024;
 /// Return the row in a matrix of coefficients that belongs to the harmonic of degree l and order m.
 /// Rows are sorted by degree, then by order.
 ///
-/// The harmonics are real, orthonormal on the unit sphere, and without the Condon-Shortley phase.
-/// Let (x, y, z) be a direction, and phi = atan2(y, x) its longitude. Let P_lm be the functions of
-/// LegendreFunctions.h. The harmonic of degree l and order m is:
+/// The harmonics are real, orthonormal on the unit sphere, and without the Condon-Shortley phase,
+/// the factor (-1)^m. Let (x, y, z) be a direction, and phi = atan2(y, x) its longitude. Let P_lm
+/// be the functions of LegendreFunctions.h. The harmonic of degree l and order m is:
 ///
 ///     Y_lm = P_lm(z) cos(m phi)    for m >= 0
 ///     Y_lm = P_l|m|(z) sin(|m| phi)  for m < 0.

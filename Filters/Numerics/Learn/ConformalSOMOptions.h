@@ -33,10 +33,11 @@ enum class TrainingMode
 enum class MeshType
 {
   Automatic, ///< Adaptive in Batch mode; Geodesic in Online mode or if all points lie in a plane
-  /// The triangles of a geodesic sphere (a subdivided icosahedron), as in \cite Liou2008. The mesh
-  /// is learned from the sphere.
+  /// The triangles of a geodesic sphere (a subdivided icosahedron), as in \cite Liou2008. Learning
+  /// begins with this sphere, unless a start mesh is given.
   Geodesic,
-  /// Triangles of about equal size all over the surface, including limbs. Only in Batch mode.
+  /// Triangles of about equal size all over the surface, including limbs (thin parts). Only in
+  /// Batch mode.
   Adaptive
 };
 
@@ -82,7 +83,7 @@ struct ConformalSOMOptions
   StageObserver Observer;      ///< function called with each intermediate surface; may be empty
 };
 
-/// Properties of the surface from which the mesh was learned.
+/// Properties of the start surface, the closed surface with which learning began.
 struct StartReport
 {
   bool FromHull = false; ///< whether the start surface was a hull of the points
@@ -92,11 +93,13 @@ struct StartReport
   conformal::HullMethod Hull = HullMethod::Automatic;
   /// Whether the normals of the samples were used to make the hull.
   bool NormalsUsed = false;
-  /// Whether holes between the points are about as wide as the cavity behind them. The inside of
-  /// the hull is then uncertain. Computed only for a hull by method Distance.
+  /// Whether the points have a hole that is about as wide as the cavity behind the hole. The
+  /// boundary between inside and outside is then uncertain. Computed only for a hull by
+  /// HullMethod::Distance.
   bool HullLeaks = false;
-  /// Fraction of the hull's area on cuts that open handles (like that of a cup), in [0, 1]. If the
-  /// fraction is above 0, the object is not of genus zero, or limbs touch each other.
+  /// Fraction of the hull's area on cuts, in [0, 1]. A cut opens a handle, like that of a cup,
+  /// since a hull has no handles. If the fraction is above 0, the object is not of genus zero, or
+  /// its limbs touch each other.
   double CutFraction = 0.0;
   /// Number of samples outside of the hull and not near it. These samples are outliers, or separate
   /// parts of the object.
@@ -111,10 +114,11 @@ struct ConformalSOMResult
 {
   /// #N values in [0, 1]: support of each vertex by nearby samples, see supportOfVertices().
   std::vector<double> Supported;
-  SurfaceQuality Quality; ///< quality by the samples; computed only in Batch mode
+  SurfaceQuality Quality; ///< quality, evaluated by the samples; only in Batch mode
   int NumberOfStarts = 1; ///< number of start surfaces tried; the best result is returned
   /// Whether SpherePositions are a conformal map. If false, some triangles of the conformal map
-  /// would be too small for doubles, and SpherePositions are less conformal.
+  /// would be too small for double precision. Then SpherePositions are a map that is less
+  /// conformal.
   bool ConformalMapFits = true;
 };
 }

@@ -1,9 +1,9 @@
 /// Make a start surface, the closed surface with which learning begins. To learn an adaptive mesh
-/// (with triangles of equal size), the start surface is fitted to samples. StartSearch.h selects
-/// among the functions of this file.
+/// (with triangles of about equal size), the start surface is then fitted to samples. StartSearch.h
+/// decides which function of this file is called.
 ///
-/// Own construction, not from a publication: a start surface is made in one of three ways: from a
-/// sphere, from a hull, or from a given mesh. No single start surface suits all shapes.
+/// Own construction, not from a publication: a start surface is made from a sphere, from a hull, or
+/// from a given mesh. No single start surface suits all shapes.
 
 #ifndef ConformalFirstSurface_h
 #define ConformalFirstSurface_h
@@ -28,12 +28,13 @@ struct FirstSurface : AdaptiveStart
 };
 
 /// Learn a start surface from the unit sphere, by batch training on geodesic networks of increasing
-/// frequency (BatchTraining.h). The neurons of the finest network are the vertices of the start
-/// surface. The number of these vertices is about a quarter of that of the mesh to learn.
+/// frequency (BatchTraining.h). A network is a subdivided icosahedron whose vertices, the neurons,
+/// are moved toward the samples. The neurons of the finest network are the vertices of the start
+/// surface. The start surface has about a quarter of the vertices of the mesh to learn.
 /// @param[in] observer  function called after each network; may be empty
-/// @throws NumericalFailure if a surface spans parts without samples, or has many obtuse triangles
-///   because it is stretched over limbs. If options.StartingShape is Sphere, this exception is not
-///   thrown.
+/// @throws NumericalFailure if a trained network spans areas without samples, or has many obtuse
+///   triangles. Obtuse triangles indicate that the network is stretched over limbs. If
+///   options.StartingShape is Sphere, this exception is not thrown.
 /// @throws Aborted
 FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run = {});

@@ -1,7 +1,7 @@
 /// Report intermediate surfaces of learning.
 ///
 /// Own construction, not from a publication: each surface is reported with measures of its quality.
-/// If learning fails, these measures show at which stage.
+/// If learning fails, the measures show at which stage defects appeared.
 
 #ifndef ConformalLearningStage_h
 #define ConformalLearningStage_h
@@ -15,16 +15,15 @@
 namespace conformal
 {
 /// Intermediate surface of learning, in the coordinates of the input points. Learning begins with a
-/// start surface, and passes through several stages. Learning may be repeated with other start
+/// start surface, and passes through several stages. Learning can be repeated with other start
 /// surfaces.
 struct LearningStage
 {
-  /// Number of the start surface, counted from 1. Start surfaces that were abandoned are counted,
-  /// too.
+  /// Number of the start surface, counted from 1. Abandoned start surfaces are also counted.
   int StartNumber = 1;
   std::string Start; ///< name of the start surface, such as "sphere" or "hull"
   /// Name of the stage, for example:
-  /// - "level 8": after training on the network of frequency 8,
+  /// - "level 8": after training on the network of frequency 8, a subdivided icosahedron,
   /// - "turn 1": after the first fit that is followed by remeshing,
   /// - "fit": after the final fit,
   /// - "kept": the best result of all start surfaces.

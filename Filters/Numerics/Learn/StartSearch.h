@@ -13,8 +13,8 @@
 
 namespace conformal
 {
-/// Return the type of the mesh to learn. If options.MeshType is Automatic, the type is selected by
-/// the training mode and the samples.
+/// Return the type of the mesh to learn. If options.MeshType is Automatic, return Adaptive in Batch
+/// mode. In Online mode, or if all samples lie in a plane, return Geodesic.
 MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& samples);
 
 /// Learn in Batch mode (options.TrainingMode) from one or more start surfaces, and return the best
@@ -28,17 +28,17 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// For StartingShape Automatic, the following start surfaces are tried in this order until a result
 /// is good. For other values of StartingShape, only some of the start surfaces are tried, as stated
 /// in the list:
-/// - Given mesh: if a start mesh with SpherePositions is given, this mesh is the only start
-///   surface.
-/// - Own mesh: a given start mesh without SpherePositions is the samples' own mesh. This mesh is
-///   the first start surface.
+/// - Given mesh: if a start mesh with SpherePositions (a map to the sphere) is given, this mesh is
+///   the only start surface.
+/// - Own mesh: if a start mesh without SpherePositions is given, its vertices are the samples. This
+///   mesh is the first start surface.
 /// - Sphere: only for StartingShape Automatic or Sphere. For a geodesic mesh, the sphere is the
 ///   only start surface.
 /// - Hull (closed surface around the samples): only for StartingShape Automatic or Hull. If an
 ///   adaptive mesh is learned from samples of affine rank below 3, the hull replaces the sphere.
 ///   The affine rank is 2 for samples in a plane, and 1 for samples on a line.
-/// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad. The
-///   hull is made by the method that was not used before.
+/// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad.
+///   This hull is made by the method that was not used for the first hull.
 ///
 /// Of two results, the better one has the lower defectScore(). However, a result with webs is
 /// replaced by the next result, whatever the scores. If the affine rank is below 3, results cannot
@@ -49,8 +49,8 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// @param[in] mesh  start mesh or null, see trainConformalSOM()
 /// @return the best result, with positions in the samples' unit (maximum radius 1). Only a geodesic
 ///   mesh has SpherePositions.
-/// @throws std::invalid_argument if the start mesh is not closed and of genus zero, or has vertices
-///   far from the samples
+/// @throws std::invalid_argument if the start mesh is open, not of genus zero, or far from the
+///   samples
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks
 ConformalSOMResult learnFromBestStart(const TrainingSamples& samples,

@@ -1,7 +1,7 @@
 /// Replace the meshes of several surfaces by one common mesh, so that points with equal ids
-/// correspond. Each surface has a map to the unit sphere, which gives every surface point a
-/// direction. The maps are registered: points of different surfaces with the same direction
-/// correspond.
+/// correspond. Each surface has a map to the unit sphere. The position of a surface point on the
+/// sphere is called its direction. The maps are registered: points of different surfaces with the
+/// same direction correspond.
 ///
 /// Own construction, not from a publication: the vertices of one mesh of the sphere are directions
 /// for all surfaces. The surface points with these directions correspond, without any further
@@ -22,8 +22,9 @@ namespace conformal
 enum class RemeshMeshType
 {
   Geodesic, ///< geodesic sphere (a subdivided icosahedron), with equal density everywhere
-  /// The mesh is adapted to all surfaces. For each surface, evenly spread surface points have some
-  /// density on the sphere. The points of the common mesh have the mean of these densities.
+  /// The mesh is adapted to all surfaces. If points are spread evenly over one surface, the map
+  /// gives these points some density on the sphere. The density of the common mesh is the mean of
+  /// the densities for all surfaces.
   Adaptive
 };
 
@@ -38,8 +39,8 @@ struct ConsistentRemeshOptions
   Index NumberOfPoints = 20000;
 };
 
-/// Points of all surfaces in the directions of a common mesh. #S is the number of surfaces and #V
-/// the number of points of the common mesh.
+/// Points of all surfaces with the directions of a common mesh. There are #S surfaces. The common
+/// mesh has #V points.
 struct ConsistentMeshes
 {
   /// Common mesh: unit vectors (directions) and triangles. Seen from outside, the triangles are
@@ -52,7 +53,8 @@ struct ConsistentMeshes
   std::vector<ResampleWeights> Weights;
 };
 
-/// Find the points of all surfaces in the directions of one mesh of the sphere.
+/// Find the points of all surfaces whose directions are the vertices of one common mesh of the
+/// sphere.
 ///
 /// For each direction and each surface, find the triangle that contains the direction on the
 /// sphere. The position of the surface point is interpolated linearly in this triangle.

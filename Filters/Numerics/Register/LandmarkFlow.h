@@ -22,17 +22,19 @@ struct LandmarkFlowOptions
   /// Widths of the Gaussian functions whose sum is the flow, as straight distances between points
   /// of the unit sphere. The widths are used one after the other, from large to small. The next
   /// width is used if steps with the present width do not bring the landmarks closer to their
-  /// targets. After the last width, the sequence of widths is repeated if the last sequence reduced
-  /// the sum of all distances by at least 5 percent.
+  /// targets. After the last width, the sequence of widths is repeated. The repetition ends if a
+  /// sequence reduced the sum of the landmarks' distances from their targets by less than 5
+  /// percent.
   std::vector<double> Widths = { 0.8, 0.5, 0.3, 0.15, 0.07, 0.03, 0.015 };
-  /// Distance on the unit sphere at which a landmark has reached its target.
+  /// A landmark has reached its target if its distance from the target is at most Tolerance, on the
+  /// unit sphere.
   double Tolerance = 1e-9;
   double LongestStep = 0.1;        ///< maximum rotation of a landmark in a step, in radians
   int MaximumNumberOfSteps = 1000; ///< total number of steps, over all widths
-  /// Function that repairs folded triangles by small moves of vertices. The function returns
-  /// whether no folded triangle is left. A step that folds triangles is first shortened, see
-  /// flowToLandmarks(). If the step still folds triangles at a quarter of its length, the function
-  /// is called. May be empty.
+  /// Function that repairs folded triangles by small moves of vertices. The argument contains the
+  /// vertices after a step that folds triangles. The step is first shortened, see
+  /// flowToLandmarks(). If a quarter of the step still folds triangles, the function is called. The
+  /// function returns true if it has repaired all triangles. May be empty.
   std::function<bool(Points&)> Repair;
 };
 
@@ -48,18 +50,18 @@ struct LandmarkFlowResult
 ///
 /// Let omega(x) be a vector field on the sphere. The field is a sum of Gaussian functions centered
 /// at the landmarks, with vectors as coefficients. Each step rotates every vertex x by the rotation
-/// vector omega(x). The coefficients are computed from linear equations. The equations make every
-/// landmark move along a great circle toward its target.
+/// vector omega(x). The coefficients are computed from linear equations. With these coefficients,
+/// every landmark moves along a great circle toward its target.
 ///
-/// If a step would fold a triangle, one landmark is moved less: the nearest landmark that has not
-/// reached its target. The step of this landmark is halved until no triangle is folded. If 1/64 of
-/// the step still folds a triangle, the landmark is not moved. The steps of the other landmarks
-/// keep their length.
+/// A landmark is called active if it has not reached its target. If a step would fold a triangle,
+/// the active landmark nearest to the triangle is moved less. The step of this landmark is halved
+/// until no triangle is folded. If 1/64 of the step still folds a triangle, the landmark is not
+/// moved. The steps of the other landmarks keep their length.
 /// @param[in] triangles   #F by 3, triangles of a map to the sphere
 /// @param[in] ids         ids of the landmark vertices; no id is repeated
 /// @param[in] targets     target of each landmark: one unit vector per row
-/// @param[in,out] places  #V by 3 unit vectors, the vertices of the sphere mesh. No triangle may be
-///   folded before the call. After the call, no triangle is folded.
+/// @param[in,out] places  #V by 3 unit vectors, the vertices of the sphere mesh. Precondition: no
+///   triangle is folded. The result has no folded triangle, either.
 /// @throws Aborted
 LandmarkFlowResult flowToLandmarks(const Triangles& triangles, const std::vector<int>& ids,
   const Points& targets, Points& places, const LandmarkFlowOptions& options = {},

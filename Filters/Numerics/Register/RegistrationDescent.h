@@ -19,9 +19,9 @@
 
 namespace conformal
 {
-/// Points and features of a surface in the directions of the vertices of a geodesic sphere (a
-/// subdivided icosahedron). Positions are scaled so that the surface area is 4 pi, the area of the
-/// unit sphere.
+/// Points of a surface, with features. The points are those that are mapped to the vertices of a
+/// geodesic sphere (a subdivided icosahedron). Positions are scaled so that the surface area is 4
+/// pi, the area of the unit sphere.
 struct SampledSurface
 {
   SphereGrid Grid; ///< geodesic sphere with #G vertices
@@ -40,9 +40,9 @@ struct SpherePair
 struct RegistrationWeights
 {
   double Stretch = 1.0; ///< weight of the symmetric Dirichlet energy
-  /// Factor of the sphere's metric (the dot products of the edge vectors of each triangle). The
-  /// sphere's metric times this factor is added to the metric of each surface. From these sums, the
-  /// stretch is computed, see descend().
+  /// Factor of the sphere's metric in the stretch, see descend(). A metric consists of the dot
+  /// products of the edge vectors of each triangle. The sphere's metric times this factor is added
+  /// to the metric of each surface.
   double Sphere = 0.1;
   /// Weight of the barrier, an energy term that prevents folds. The barrier is the symmetric
   /// Dirichlet energy of the deformation of the sphere. For a triangle of zero area, the barrier is
@@ -52,11 +52,12 @@ struct RegistrationWeights
   double Landmarks = 0.0; ///< weight of the squared distances between landmarks and their targets
 };
 
-/// Values of the registration energy and of its terms.
+/// Values of the registration energy and of its terms. An isometric map preserves all lengths.
 struct RegistrationEnergy
 {
-  double Stretch = 0.0;  ///< stretch of the map, see descend(); 1 if the map is isometric
-  double Barrier = 0.0;  ///< weighted energy of the sphere's deformation; 0 for a rotation
+  double Stretch = 0.0; ///< stretch of the map, see descend(); 1 if the map is isometric
+  /// Weighted barrier against folds, see RegistrationWeights; 0 if the sphere is only rotated.
+  double Barrier = 0.0;
   double Features = 0.0; ///< weighted mean square difference of the features of both surfaces
   /// Mean square distance between landmarks and their targets on the unit sphere.
   double Landmarks = 0.0;
@@ -79,19 +80,19 @@ struct DescentOptions
 /// surface's sphere. The energy is the sum of the terms in RegistrationEnergy.
 ///
 /// Before each step, negative eigenvalues are removed from the Hessian of the stretch (projected
-/// Newton method). The step thus points toward lower energies. If a step folds triangles, the moves
-/// of the vertices of these triangles are halved until no triangle is folded. Then all moves are
-/// shortened until the energy decreases.
+/// Newton method). With this change, the step points toward lower energies. If a step folds
+/// triangles, the moves of the vertices of these triangles are halved until no triangle is folded.
+/// Then all moves are shortened until the energy decreases.
 ///
 /// The stretch is defined as follows. Let J be the linear map of a triangle from one surface to the
 /// other, and |J| its Frobenius norm. The stretch is the mean of (|J|^2 + |J^-1|^2) / 4 over the
 /// areas of both surfaces. The stretch is 1 for an isometric map, and above 1 for any other map. In
 /// this definition, the metric of a surface includes RegistrationWeights::Sphere times the metric
-/// of the sphere. Therefore, no triangle has zero area.
-/// @param[in] pairs       landmarks: corresponding directions on the spheres of both surfaces
+/// of the sphere. In this sum of metrics, no triangle has zero area.
+/// @param[in] pairs       landmarks: corresponding positions on the spheres of both surfaces
 /// @param[in,out] places  #V by 3 unit vectors: positions of the vertices of moving.Grid on the
-///   deformed sphere. No triangle may be folded before the call. After the call, no triangle is
-///   folded.
+///   deformed sphere. Precondition: no triangle is folded. The result has no folded triangle,
+///   either.
 /// @return the energy after the last step
 /// @throws Aborted
 RegistrationEnergy descend(const SampledSurface& moving, const SampledSurface& fixed,

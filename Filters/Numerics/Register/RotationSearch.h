@@ -1,10 +1,11 @@
 /// Find the rotations of the sphere after which the features of two surfaces agree best. A feature
 /// is a number at each point of a surface, such as the curvature. Both surfaces have maps to the
-/// sphere. One surface is called moving, the other one fixed.
+/// sphere. One surface is called moving, the other one fixed. The sphere of the moving surface is
+/// rotated, and features at equal sphere positions are compared.
 ///
 /// Own construction, not from a publication: many rotations, spread evenly over the group of
-/// rotations, are evaluated. Only the best of them are refined. Refinement of a single rotation
-/// would find only a local minimum near this rotation.
+/// rotations, are evaluated. Only the best of these rotations are refined. Refinement of a single
+/// rotation would find only a local minimum near this rotation.
 
 #ifndef ConformalRotationSearch_h
 #define ConformalRotationSearch_h

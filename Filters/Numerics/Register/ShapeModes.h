@@ -23,8 +23,8 @@ enum class ShapeAlignment
 struct ShapeModesOptions
 {
   ShapeAlignment Alignment = ShapeAlignment::Rigid;
-  /// Maximum number of modes (principal components). For #S shapes, the result never has more than
-  /// #S - 1 modes.
+  /// Maximum number of modes (principal components). There are at most #S - 1 modes, where #S is
+  /// the number of shapes.
   int NumberOfModes = 10;
 };
 
@@ -46,12 +46,12 @@ struct ShapeModes
 /// Align shapes by generalized Procrustes analysis \cite Gower1975, then compute their principal
 /// components.
 ///
-/// The weight of a vertex is the area around the vertex, averaged over the shapes. The result
-/// therefore does not depend on the mesh density.
+/// In all sums over vertices, the weight of a vertex is the area around the vertex, averaged over
+/// the shapes. With these weights, regions with many vertices do not dominate the result.
 ///
-/// The sign of a mode is chosen so that one of its scores (coefficients) is positive: the score of
-/// largest magnitude. If several scores have this magnitude up to rounding, the first of these
-/// scores is positive.
+/// Scores are the coefficients of the modes. The sign of each mode is chosen so that its score of
+/// largest magnitude is positive. If several scores of a mode have this magnitude up to rounding,
+/// the first one is positive.
 ///
 /// @param[in] triangles  triangles of every shape
 /// @param[in] shapes     #S shapes, at least one, each #V by 3

@@ -2,8 +2,8 @@
 /// similar parts of two surfaces.
 ///
 /// Own construction, not from a publication: features are computed mainly from geodesic distances.
-/// These distances depend on neither position nor orientation, and change little when the surface
-/// bends.
+/// These distances do not depend on the position and orientation of the surface. If the surface
+/// bends, the distances change little.
 
 #ifndef ConformalSphereFeatures_h
 #define ConformalSphereFeatures_h
@@ -30,11 +30,11 @@ struct GeodesicFeatureOptions
 
 /// Compute features from geodesic distances.
 ///
-/// The first feature of a vertex is the logarithm of its mean geodesic distance to all parts of the
-/// surface. This feature is large at limb ends. Each radius adds one feature: the logarithm of the
-/// surface area near the vertex. Here the area is weighted by a Gaussian function of the geodesic
-/// distance from the vertex. The width of the Gaussian function is the radius. The area features
-/// are small on thin limbs.
+/// The first feature of a vertex is the logarithm of its mean geodesic distance to all points of
+/// the surface. This feature is large at limb ends (ends of thin parts). Each radius adds one
+/// feature: the logarithm of the surface area near the vertex. Here the area is weighted by a
+/// Gaussian function of the geodesic distance from the vertex. The width of the Gaussian function
+/// is the radius. The area features are small on thin limbs.
 ///
 /// Geodesic distances are lengths of paths along edges and straight across pairs of triangles. The
 /// unit of these distances is the square root of the surface area.

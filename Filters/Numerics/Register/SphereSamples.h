@@ -13,8 +13,8 @@
 
 namespace conformal
 {
-/// Matrix with one row for each vertex or direction. Rows are contiguous in memory, so that reading
-/// a row is fast.
+/// Matrix with one row for each vertex or direction. A direction is a unit vector, a point of the
+/// unit sphere. Rows are contiguous in memory, so that reading a row is fast.
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Barycentric weights of a direction, and their gradients. The weights refer to the triangle of a
@@ -24,7 +24,7 @@ struct SphereWeights
   int Triangle = -1;                 ///< id of the triangle
   std::array<int, 3> Ids{};          ///< corners of the triangle
   Vector3 Weights = Vector3::Zero(); ///< weights of the corners, with sum 1
-  /// Row k: gradient of weight k by the direction.
+  /// Row k: gradient of the weight of corner k with respect to the direction.
   Eigen::Matrix3d Slopes = Eigen::Matrix3d::Zero();
 };
 
@@ -37,6 +37,7 @@ public:
   explicit SphereGrid(Mesh sphere, const Run& run = {});
 
   const Mesh& mesh() const { return this->Sphere; }
+  /// Return the number of vertices.
   Index size() const { return this->Sphere.Positions.rows(); }
 
   /// Compute the interpolation weights in a direction.

@@ -34,8 +34,8 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 /// Blend shapes by weights.
 ///
 /// With MorphPath::Linear, positions are averaged. MorphPath::Rigid blends triangles as follows:
-/// 1. For each shape, find the rotation that best aligns the first shape with this shape. Undo this
-///    rotation in the shape.
+/// 1. For each shape, find the rotation that best aligns the first shape with this shape. Rotate
+///    the shape back by this rotation.
 /// 2. Compute the deformation gradient of each triangle: the linear map from the first shape, which
 ///    also maps the unit normal. Split the gradient into a rotation and a stretch (polar
 ///    decomposition).
@@ -46,9 +46,10 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 ///    weights of this system are cotangents of triangle angles, clamped to [MinimumCotangent,
 ///    MaximumCotangent].
 ///
-/// A rotation has several logarithms, which differ by multiples of 360 degrees. Those of
-/// neighboring triangles are chosen to be similar. A part may therefore rotate by more than 180
-/// degrees, but not by 360 degrees. The area-weighted center of the shape moves on a straight line.
+/// A rotation has several logarithms, which differ by multiples of 360 degrees. The logarithms of
+/// neighboring triangles are chosen to be similar. With this choice, parts can rotate by more than
+/// 180 degrees. Rotations by 360 degrees are not possible. The area-weighted center of the shape
+/// moves on a straight line.
 ///
 /// If two shapes are blended, their order affects the result only by rounding. If more than two
 /// shapes are blended, rotations are relative to the first shape of weight above 0.
@@ -57,8 +58,8 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 /// @param[in] shapes   #S shapes, at least one, each #V by 3
 /// @param[in] weights  #S, weight of each shape, at least 0. The sum of the weights is 1.
 /// @return the blended shape, #V by 3; a shape of weight 1 is returned unchanged
-/// @throws std::invalid_argument if the number of weights is not #S, a weight is negative, or the
-///   sum of the weights is not 1
+/// @throws std::invalid_argument if the number or the sum of the weights is wrong, or a weight is
+///   negative
 /// @throws Aborted
 Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
   const std::vector<double>& weights, const SphericalMorphOptions& options = {},

@@ -4,7 +4,8 @@
 ///
 /// Own construction, not from a publication: an energy is minimized step by step, by descents from
 /// several initial rotations. The first descents use a coarse mesh of the sphere, the next ones
-/// finer meshes. A single descent may end in a poor local minimum.
+/// finer meshes. A descent is a stepwise minimization. A single descent could end in a poor local
+/// minimum.
 
 #ifndef ConformalSphericalRegistration_h
 #define ConformalSphericalRegistration_h
@@ -20,7 +21,7 @@
 
 namespace conformal
 {
-/// Transforms of the sphere by which the moving surface's map may be changed.
+/// Transforms of the sphere by which registration can change the moving surface's map.
 enum class SpaceOfTransforms
 {
   Rotation,     ///< rotations, which preserve the angles and areas of the map
@@ -45,7 +46,8 @@ struct SphericalRegistrationOptions
 struct RegisteredSurface
 {
   MappedMesh Surface;
-  /// #V by #K finite numbers. Registration matches column k of both surfaces, for each k.
+  /// #V by #K finite numbers. Each column is a feature, such as the curvature. Registration makes
+  /// the features of both surfaces equal at corresponding points, as far as possible.
   Rows Features;
 };
 
@@ -54,10 +56,11 @@ struct SphericalRegistrationResult
 {
   Points SpherePositions; ///< #V by 3 unit vectors, the new map of the moving surface
   /// Stretch (symmetric Dirichlet energy) of the map between the surfaces; 1 if the map is
-  /// isometric.
+  /// isometric (preserves lengths).
   double Stretch = 0.0;
-  /// Maximum distance between a landmark of the moving surface and its target, after registration.
-  /// The target is the sphere position of the corresponding landmark of the fixed surface.
+  /// Landmarks are given pairs of corresponding vertices. The target of a vertex of the moving
+  /// surface is the sphere position of the corresponding vertex of the fixed surface. This value is
+  /// the maximum distance between a landmark and its target after registration.
   double LandmarkError = 0.0;
   /// Weighted mean correlation of the features of both surfaces before registration; 1 without
   /// features.
@@ -73,11 +76,11 @@ struct SphericalRegistrationResult
 
 /// Register a moving surface with a fixed surface.
 ///
-/// The score of a map is its energy plus 3 times its pose difference. The energy is the stretch of
-/// the map, plus the weighted differences of features, plus terms for landmarks and against folds.
-/// The pose difference is 1 minus the correlation of corresponding positions, after the best
-/// rotation in space. For example, if the head of an animal is matched with a similar tail, the
-/// pose difference is large.
+/// The score of a map is its energy plus 3 times its pose difference. The energy is a sum of the
+/// stretch of the map, weighted squared differences of features, and further terms for landmarks
+/// and against folds. The pose difference is 1 minus the correlation of corresponding positions,
+/// after the best rotation in space. For example, if the head of an animal is matched with a
+/// similar tail, the pose difference is large.
 ///
 /// 1. Find the initial rotations of the moving surface's sphere. If there are at least two
 ///    landmarks, they determine one rotation. Otherwise, up to eight rotations are found by the

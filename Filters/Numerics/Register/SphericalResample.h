@@ -24,7 +24,7 @@ struct SphericalResampleOptions
   ResampleMethod Method = ResampleMethod::AreaAdaptive;
 };
 
-/// Weights of source points, and a measure of the source's map.
+/// Weights of source points, and the number of folds of the source's map.
 struct SphericalResampling
 {
   ResampleWeights Weights; ///< weights of source points for each target point

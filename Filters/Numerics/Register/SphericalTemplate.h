@@ -1,5 +1,6 @@
 /// Register many surfaces with their mean shape, so that all surfaces correspond. Each surface has
-/// a map to the sphere; registration changes this map.
+/// a map to the sphere. Registration deforms the maps until corresponding points have the same
+/// position on the sphere.
 ///
 /// Own construction, not from a publication: the mean is recomputed after each round of
 /// registrations. The result therefore depends little on any single surface.
@@ -62,13 +63,14 @@ struct SphericalTemplateResult
 /// 1. Register all surfaces with the first surface. Compute the mean of the registered shapes. The
 ///    surface closest to this mean becomes the start surface.
 /// 2. Register all surfaces with the start surface.
-/// 3. Repeat in rounds: Compute the mean of positions and features over all surfaces, as registered
-///    before. Register all surfaces with this mean. Stop if the mean changes by at most
-///    options.Tolerance.
+/// 3. Repeat in rounds: Compute the mean positions and mean features of corresponding points, by
+///    the latest registrations. Register all surfaces with this mean. Stop if the mean changes by
+///    at most options.Tolerance.
 ///
 /// Each registration begins with the input map of the surface, not with the result of the previous
-/// round. The mean has one landmark for each index: the vertex closest to the mean sphere position
-/// of the landmarks with this index. No vertex is used twice.
+/// round. For each landmark index, the sphere positions of this landmark are averaged over all
+/// surfaces. The vertex of the mean that is closest to this average is the mean's landmark. No
+/// vertex is used twice.
 ///
 /// A different order of the surfaces may result in a different start surface. If the start surface
 /// is the same, results differ only by rounding.

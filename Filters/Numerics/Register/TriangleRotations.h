@@ -29,10 +29,11 @@ Eigen::Matrix3d triangleRotation(
 ///
 /// A rotation vector is unique up to multiples of 360 degrees along its axis. These multiples are
 /// chosen so that vectors are continuous between neighboring triangles. The triangle of smallest
-/// rotation gets its shortest vector. Starting there, each triangle gets the vector closest to the
-/// vector of a neighbor. Neighbors with the most similar rotations are processed first.
+/// rotation gets its shortest vector. Then triangle after triangle gets the vector closest to that
+/// of a neighbor with a known vector. Neighbors with the most similar rotations are processed
+/// first.
 ///
-/// With this choice, parts of a shape (limbs) may rotate by more than 180 degrees. Rotations by 360
+/// With this choice, parts of a shape (limbs) can rotate by more than 180 degrees. Rotations by 360
 /// degrees are not supported, since their axes are undefined.
 ///
 /// @param[in] neighbors  adjacent triangles of each triangle: the result of triangleNeighbors()

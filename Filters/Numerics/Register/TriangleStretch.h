@@ -32,8 +32,8 @@ struct TriangleForm
 };
 
 /// Edge vectors of a triangle that depends on six unknowns, two for each corner. Each corner has a
-/// position on a surface and a position on the sphere. An edge vector therefore has six
-/// coordinates: three on the surface, then three on the sphere, multiplied by a factor.
+/// position on a surface, and is mapped to a position on the unit sphere. An edge vector therefore
+/// has six coordinates: three on the surface, then three on the sphere, multiplied by a factor.
 struct MovingTriangle
 {
   Eigen::Matrix<double, 6, 1> P, Q; ///< edge vectors from the first corner

@@ -1,6 +1,6 @@
 /// Train a self-organizing map in batches, on finer and finer geodesic networks. In each step, the
-/// algorithm sums the updates of \cite Liou2008 over many samples. Training starts from the unit
-/// sphere.
+/// updates of vertex positions by \cite Liou2008 are summed over many samples. Training starts from
+/// the unit sphere.
 ///
 /// A geodesic network is a subdivided icosahedron on the unit sphere. Each of its vertices is a
 /// neuron, with a weight vector: its position in space. A sample that is used for training is
@@ -46,8 +46,8 @@ struct BatchTrainingOptions : BatchOptions
 /// whether to continue with a finer network.
 using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double>&)>;
 
-/// Train networks of increasing frequency, up to options.Frequency. The result is not fitted by
-/// least squares.
+/// Train networks of increasing frequency, up to options.Frequency. The vertices are not fitted to
+/// the samples by least squares afterwards.
 ///
 /// Each network is trained in several passes over patterns. Let x be a pattern. Let w_i be the
 /// weight vector of neuron i, and h_i(x) the weight by which x moves neuron i. A pass replaces each
@@ -62,7 +62,7 @@ using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double
 ///
 /// @param[in] goesOn  function called after the training of each network; if empty, all networks
 ///   are trained
-/// @return the mesh in the samples' unit (maximum radius 1), with the estimated noise
+/// @return the mesh in the samples' unit (maximum radius 1), with an estimate of the samples' noise
 /// @throws NumericalFailure if goesOn returns false
 /// @throws Aborted
 FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOptions& options,

@@ -32,8 +32,8 @@ struct AdaptiveFitOptions : FitOptions
 };
 
 /// Start surface of a fit, with settings of the fit. The surface is closed, of genus zero, and near
-/// the samples. Positions are in the samples' unit, in which the maximum radius of the samples is
-/// 1.
+/// the samples. Positions are in the samples' unit: the samples are scaled to a maximum distance of
+/// 1 from their centroid.
 struct AdaptiveStart : LearnedMesh
 {
   /// Number of turns before the final fit. A turn is a fit followed by remeshing.
@@ -49,20 +49,21 @@ struct AdaptiveStart : LearnedMesh
 };
 
 /// Fit a closed mesh of options.NumberOfVertices vertices to the samples. The triangles are nearly
-/// equilateral and of about equal size, also on limbs. The mesh is in the samples' unit (maximum
-/// radius 1) and has no map to the sphere.
+/// equilateral and of about equal size, also on limbs (thin parts of the surface). The mesh is in
+/// the samples' unit (maximum radius 1). It has no map to the sphere.
 ///
 /// First, the start surface is remeshed (Remeshing.h). Then several turns follow. Each turn fits
-/// the mesh to the samples (LeastSquaresFit.h) and remeshes the fitted mesh. In each turn, the
-/// weight of a smooth surface decreases from iteration to iteration. The final fit moves vertices,
-/// but keeps the triangles. The surface is then made fair (FairFit.h). Where triangles cut off
+/// the mesh to the samples (LeastSquaresFit.h) and remeshes the fitted mesh. The fit minimizes
+/// distances of the samples, plus smoothness terms with a weight. In each turn, this weight
+/// decreases from iteration to iteration. The final fit moves vertices, but keeps the triangles.
+/// Then the noise of the samples is removed from the surface (FairFit.h). Where triangles cut off
 /// sharp edges of the object, vertices are finally moved onto these edges (SharpEdges.h).
 ///
-/// The noise of the samples is estimated before the final fit (NoiseEstimate.h). The estimate
-/// compares the distances of samples from two meshes: the mesh before the final fit, and a mesh
-/// with a quarter of its vertices. With more noise, the final fit is smoother. If the noise is
-/// large relative to the edge length, the first turn is repeated with a larger weight of a smooth
-/// surface.
+/// The noise of the samples is estimated before the final fit (NoiseEstimate.h). For the estimate,
+/// distances of samples from two meshes are compared. One mesh is that before the final fit, and
+/// the other one has a quarter of the vertices. With more noise, the final fit is smoother. If the
+/// noise is large relative to the edge length, the first turn is repeated with a larger weight of
+/// the smoothness terms.
 ///
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks

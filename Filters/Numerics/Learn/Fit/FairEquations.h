@@ -1,7 +1,7 @@
-/// Set up the equations of fairing (FairFit.h): squared distances of samples to a mesh, and the
-/// change of mean curvature over the mesh. Own construction, since the moves of vertices along
-/// their normals are the only unknowns. The Laplacian for the curvature is that
-/// of \cite Pinkall1993.
+/// Set up the equations of fairing, which removes noise from a mesh fitted to samples (FairFit.h).
+/// Fairing minimizes the squared distances of the samples to the mesh, plus the change of mean
+/// curvature along the mesh. Own construction, since the only unknowns are the moves of the
+/// vertices along their normals. The curvature is computed with the Laplacian of \cite Pinkall1993.
 
 #ifndef ConformalFairEquations_h
 #define ConformalFairEquations_h
@@ -18,58 +18,66 @@
 
 namespace conformal
 {
-constexpr Index NumberOfProbes = 8; ///< number of random vectors that represent a covariance
+constexpr Index NumberOfProbes = 8; ///< number of random vectors that represent a covariance matrix
 
-/// Symmetric tensors, one for each vertex, #V by 6. The columns are xx, yy, zz, yz, xz and xy.
+/// Symmetric 3 by 3 tensors, one for each of #V vertices, #V by 6. The columns are xx, yy, zz, yz,
+/// xz and xy.
 using Tensors = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
 /// Options that select the samples to which the surface is fitted.
 struct FairSamplesOptions
 {
-  double OutlierRatio = 6.0;       ///< limit of the distance of a sample, see LocalScale.h
-  Index SamplesPerRound = 1000000; ///< maximum number of samples; a larger cloud is thinned
-  unsigned int RandomSeed = 1;     ///< seed of the choice of samples
+  /// A sample is an outlier if its distance from the surface exceeds the usual distance of nearby
+  /// samples by this factor. Outliers are ignored. See LocalScale.h.
+  double OutlierRatio = 6.0;
+  Index SamplesPerRound = 1000000; ///< maximum number of samples, selected at random
+  unsigned int RandomSeed = 1;     ///< seed of the selection of samples
   /// Test whether a sample is used. If empty, all samples are used.
   std::function<bool(const Vector3&)> Belongs;
 };
 
-/// Represent the squared distances of samples to a mesh, as a function of the moves u of the
-/// vertices along their normals. The distances are linearized. The squared distances of the samples
-/// with foot points (closest points) in triangle r are then u A_r u - 2 u g_r + s_r.
+/// Squared distances of samples to a mesh, as a function of the moves u of the vertices along their
+/// normals. Each distance is measured along the normal, and is a linear function of u. The foot
+/// point of a sample is its closest point on the mesh. The samples with foot points in triangle r
+/// have a sum of squared distances of u A_r u - 2 u g_r + s_r.
 class SampleDistances
 {
 public:
   /// @param[in] normals  vertex normals, #V by 3
   /// @param[in] neighbors  result of vertexNeighbors() for the triangles of the mesh
   /// @throws Aborted
-  /// @post the same bits for any number of threads and ranks
+  /// @post The result does not depend on the number of threads or ranks, bit by bit.
   SampleDistances(const TrainingSamples& samples, const FairSamplesOptions& options,
     const Mesh& mesh, const Points& normals, const Adjacency& neighbors, const Run& run = {});
 
-  /// Sum of the squared distances over all triangles, each multiplied by a precision: u A u - 2 u g
-  /// + s. The precision of a triangle is the inverse of the variance of its samples.
+  /// Sum over all triangles of the precision of the triangle times its squared distances: u A u - 2
+  /// u g + s. A precision is the inverse of the variance of the noise, up to a common factor.
   struct Sum
   {
     SparseMatrix Matrix;   ///< A
     Eigen::VectorXd Right; ///< g
     double Constant = 0.0; ///< s
-    /// Random vectors with covariance A. For noise of variance 1, g has the same covariance.
+    /// Random vectors with covariance A. If the variance of the noise is 1 / precision, A is also
+    /// the covariance of g.
     Columns Probes;
   };
-  /// @param[in] precisions  precision at each vertex, #V; a triangle has the mean of its corners
+  /// @param[in] precisions  precision at each vertex, #V. The precision of a triangle is the mean
+  ///   of the precisions at its corners.
   Sum sum(const Eigen::VectorXd& precisions) const;
 
-  /// Compute the squared distances after the given moves. Each corner of a triangle gets a third of
-  /// the sum of the triangle.
+  /// Compute the sum of squared distances at each vertex after the given moves, #V. Each triangle
+  /// contributes a third of its sum to each of its corners.
   Eigen::VectorXd squaresAt(const Eigen::VectorXd& displacements) const;
 
-  /// Compute the expected increase of the squared distances by random moves of mean zero.
+  /// Compute the part of squaresAt() that is quadratic in the moves. On average over random moves
+  /// of mean zero, this part is the expected increase of squaresAt().
+  /// @param[in] deviations  random move of each vertex along its normal, #V
   Eigen::VectorXd increaseAt(const Eigen::VectorXd& deviations) const;
 
   /// Return the number of samples.
   double count() const { return this->Count; }
-  /// Return the number of samples at each vertex. Each corner of a triangle gets a third of the
-  /// samples of the triangle.
+  /// Return the number of samples at each vertex, #V. Each triangle contributes a third of its
+  /// samples to each of its corners.
   Eigen::VectorXd countsAt() const;
 
   /// Return the sum of the weights of all samples.
@@ -85,7 +93,8 @@ private:
     Vector3 Right = Vector3::Zero();
     double Constant = 0.0, Count = 0.0;
   };
-  /// Compute u A_r u + factor (s_r - 2 u g_r) for each triangle, and add a third to each corner.
+  /// Compute u A_r u + factor (s_r - 2 u g_r) for each triangle r, and add a third of this value to
+  /// each corner.
   Eigen::VectorXd quadraticAt(const Eigen::VectorXd& u, double factor) const;
 
   Triangles Corners;
@@ -95,26 +104,27 @@ private:
   double Count = 0.0, Mass = 0.0;
 };
 
-/// Represent the mean curvature of a mesh as a linear function h + C u of the moves u of the
-/// vertices along their normals. The matrix is C = M^-1 L. L is the Laplacian of
-/// \cite Pinkall1993 and M contains the areas around the vertices.
+/// Mean curvature of a mesh, as a linear function h + C u of the moves u of the vertices along
+/// their normals. The matrix is C = M^-1 L. Here L is the Laplacian of \cite Pinkall1993, and M is
+/// the diagonal matrix of the areas around the vertices.
 ///
-/// The flat triangles of a fitted mesh pass through the middle of the samples. On ridges, the
-/// vertices are therefore outside of the object. The curvature h is that of the smooth surface,
-/// whose vertices are moved inward there (lowerVertices() of Surface/CurvedTriangles.h).
+/// On a ridge, the flat triangles of a fitted mesh intersect the object: their corners are outside,
+/// and their centers are inside. To compute h, the vertices are first moved onto a smooth surface,
+/// on ridges inward (lowerVertices() of Surface/CurvedTriangles.h).
 class CurvatureChange
 {
 public:
   CurvatureChange(const Mesh& mesh, const Points& normals);
 
-  /// Compute g g^T at each vertex, where g is the gradient of the curvature h + C u. The tensor is
-  /// integrated over a third of the triangles around the vertex.
+  /// Compute the tensor g g^T at each vertex, where g is the gradient of the curvature h + C u. The
+  /// tensor is integrated over a third of the triangles around the vertex.
   Tensors squaresAt(const Eigen::VectorXd& displacements) const;
-  /// Compute the tensors of squaresAt() for the curvature C u, without h.
+  /// Compute the tensors g g^T of squaresAt() for the curvature C u, without h.
   Tensors homogeneousSquaresAt(const Eigen::VectorXd& deviations) const;
 
-  /// Penalty of the change of curvature: the sum of squared gradients, divided by the variances of
-  /// the gradients. As a function of the moves u, the penalty is u K u + 2 u f + constant.
+  /// Penalty for the change of curvature. The penalty is a sum over all triangles: the squared
+  /// gradient of the curvature, divided by the variance of this gradient. As a function of the
+  /// moves u, the penalty is u K u + 2 u f + constant.
   struct Energy
   {
     SparseMatrix Matrix;   ///< K
@@ -122,8 +132,8 @@ public:
     Columns Probes;        ///< random vectors with covariance K
   };
   /// @param[in] variances  expected value of the tensors of squaresAt(), not zero
-  /// @param[in] sharp  whether each vertex is on a crease, #V. Triangles at such a vertex have only
-  ///   a small weight, which keeps the equations regular.
+  /// @param[in] sharp  whether each vertex is on a crease, #V. Triangles at a crease have the
+  ///   relative weight 0.0001, which keeps the equations regular.
   Energy energy(const Tensors& variances, const std::vector<bool>& sharp) const;
 
 private:

@@ -1,8 +1,9 @@
 /// Make a fitted mesh fair: remove the noise of the samples from the surface, but keep the detail
 /// of the object. The amount of smoothing is found from the samples, separately for each part of
-/// the surface. Own construction from published parts, since one amount of smoothing does not suit
-/// both smooth and detailed parts. The parts are cross-validation \cite Craven1979 and variances by
-/// expectation and maximization \cite Dempster1977.
+/// the surface. Own construction, since one amount of smoothing does not suit both smooth and
+/// detailed parts. Published methods are combined: generalized cross-validation \cite Craven1979
+/// selects the smoothing, and the EM (expectation-maximization) algorithm \cite Dempster1977
+/// estimates variances.
 
 #ifndef ConformalFairFit_h
 #define ConformalFairFit_h
@@ -17,50 +18,56 @@
 
 namespace conformal
 {
+/// Options of fairFit().
 struct FairFitOptions : FairSamplesOptions
 {
   /// Whether each vertex is on a sharp edge of the object, #V; empty if there are no sharp edges.
   std::vector<bool> Creases;
-  double Smoothness = 1.0; ///< factor of the smoothing that is found, in [1e-6, 1e6]
+  /// Factor of the final weight of the penalty, see fairFit(), in [1e-6, 1e6]. A larger factor
+  /// makes the surface smoother.
+  double Smoothness = 1.0;
 };
 
+/// Measures of the surface that fairFit() makes.
 struct FairFitResult
 {
   /// Standard error of each vertex along its normal, in the unit of the samples, #V.
   std::vector<double> StandardError;
   /// Number of free parameters of the surface, at most #V. Smoothing decreases this number.
   double DegreesOfFreedom = 0.0;
-  /// Variance of the samples along the normals of the surface, the median over all vertices. The
-  /// variance contains noise, and detail that is too fine for the mesh.
+  /// Variance of the distances between samples and surface: the median over the variances at all
+  /// vertices. The distances are due to noise, and to detail that is too fine for the mesh.
   double Variance = 0.0;
 };
 
 /// Move the vertices of a fitted mesh along their normals. The moves minimize the squared distances
-/// of the samples to the surface, plus a penalty: a weight times the squared change (gradient) of
-/// the mean curvature (FairEquations.h). The mean curvature of a sphere and of a cylinder does not
-/// change, so that the penalty does not shrink them.
+/// of the samples to the surface, plus a penalty. The penalty is a weight times the squared
+/// gradient of the mean curvature along the surface (FairEquations.h). On spheres and cylinders,
+/// the mean curvature is constant, so that the penalty does not shrink these shapes.
 ///
-/// The minimum is computed twice.
+/// The minimum is computed twice, in two steps with different penalties:
 ///
-/// 1. The first penalty has one weight, which is divided at each vertex by the squared change of
-///    curvature of the fitted mesh. The weight is found by generalized cross-validation
-///    \cite Craven1979, in which the surface must predict samples that are left out. The number of
-///    free parameters of the surface is estimated with a random vector \cite Hutchinson1989.
-/// 2. The second minimum is that of a statistical model. Noise of the samples and change of
-///    curvature are independent Gaussian variables. Their variances differ from vertex to vertex. A
-///    variance is the mean square near the vertex after the first solution, plus the square that is
-///    expected from the uncertainty of this solution. This is one step of the EM algorithm
-///    \cite Dempster1977. The variances of the change of curvature also depend on the direction, so
-///    that a ridge is smoothed along the ridge, but not across.
+/// 1. In the first step, a single weight is used. At each vertex, the penalty is divided by the
+///    squared gradient of curvature of the fitted mesh near the vertex. The weight is selected by
+///    generalized cross-validation \cite Craven1979. This method estimates how well the surface
+///    predicts samples that are left out. For the estimate, the number of free parameters of the
+///    surface is computed with a random vector \cite Hutchinson1989.
+/// 2. The second step uses a statistical model. In this model, the noise of the samples and the
+///    gradient of curvature are independent Gaussian variables. The variances of the variables
+///    differ from vertex to vertex. Each variance is estimated from the surface of the first step,
+///    as the mean square near the vertex. The square that is expected from the uncertainty of this
+///    surface is added. This estimate is one step of the EM algorithm \cite Dempster1977. The
+///    variances of the gradient also depend on the direction. A ridge is therefore smoothed along
+///    the ridge, but not across.
 ///
-/// A vertex does not move if it is in a hole of the samples or on a crease (options.Creases), or if
-/// a triangle is inclined to the vertex normal by more than 66 degrees. The penalty does not couple
-/// the two sides of a crease.
+/// Vertices in holes of the samples, and vertices on creases (options.Creases), are held near their
+/// positions, and so are vertices with a steep triangle. A triangle is steep if its normal and the
+/// vertex normal differ by more than 66 degrees. Across a crease, the penalty has almost no weight.
 ///
 /// @param[in,out] mesh  closed mesh in the unit of the samples, fitted by least squares
 /// @throws NumericalFailure if the equations cannot be solved; the mesh is then unchanged
 /// @throws Aborted
-/// @post the same bits for any number of threads and ranks
+/// @post The result does not depend on the number of threads or ranks, bit by bit.
 FairFitResult fairFit(
   const TrainingSamples& samples, const FairFitOptions& options, Mesh& mesh, const Run& run = {});
 }

@@ -1,4 +1,4 @@
-/// Options of the least-squares fit that a caller of trainConformalSOM() may set. The fit moves the
+/// Options of the least-squares fit that a caller of trainConformalSOM() can set. The fit moves the
 /// vertices of a mesh toward the samples.
 
 #ifndef ConformalFitOptions_h
@@ -9,14 +9,15 @@ namespace conformal
 /// Options of the least-squares fit (LeastSquaresFit.h).
 struct FitOptions
 {
-  /// Usual weight of a smooth surface at a vertex, divided by the mean weight of the samples of a
-  /// vertex.
+  /// Usual smoothness. The fit minimizes an energy with smoothness terms. The smoothness is the
+  /// weight of these terms at a vertex, divided by the mean total weight of samples per vertex.
   static constexpr double UsualSmoothness = 0.01;
 
   /// Number of iterations. Each iteration projects the samples to the surface, then moves the
   /// vertices.
   int Iterations = 10;
-  /// Factor of the smoothness that follows from the samples, or of UsualSmoothness.
+  /// Factor that multiplies UsualSmoothness. The weight of the smoothing in FairFit.h is multiplied
+  /// by the same factor. If the samples are noisy, the smoothness is increased further.
   double Smoothness = 1.0;
   /// Whether samples farther from the surface have larger weights, see LeastSquaresFit.h.
   bool AutomaticPriority = true;

@@ -16,15 +16,17 @@ namespace conformal
 /// - in Batch mode (many samples per step): a pass over the samples,
 /// - in the least-squares fit: an iteration.
 ///
-/// In the samples' unit, the maximum radius of the samples is 1.
+/// In the samples' unit, the maximum distance of the samples from their centroid is 1. This
+/// distance is called the maximum radius.
 struct TrainingRecord
 {
-  /// Frequency of the geodesic sphere whose number of triangles is closest to that of the mesh.
+  /// Frequency of the geodesic sphere (a subdivided icosahedron) whose number of triangles is
+  /// closest to that of the mesh.
   int Frequency = 0;
-  /// Radius sigma(t) of the neighborhood in which a sample moves vertices, a length on the unit
+  /// Radius sigma of the neighborhood in which a sample moves vertices, a length on the unit
   /// sphere.
   double NeighborhoodRadius = 0;
-  /// Learning rate alpha(t): factor of the vertices' moves toward a sample. The rate is 1 in Batch
+  /// Learning rate alpha: factor of the vertices' moves toward a sample. The rate is 1 in Batch
   /// mode and in the fit.
   double LearningRate = 0;
   /// Mean square distance between samples and their projections to the mesh, in squares of the
@@ -34,10 +36,11 @@ struct TrainingRecord
   double MeanDisplacement = 0;
 };
 
-/// Learned mesh. In the notation of \cite Liou2008, the mesh in space is the model M^Delta, and
-/// Positions are the weights w_i of its vertices. The mesh on the sphere is the network S^Delta,
-/// and SpherePositions are the network positions n_i. Model and network have the same triangles.
-/// SpherePositions are empty if the mesh has not been mapped to the sphere.
+/// Learned mesh. Positions and triangles are the mesh in space, called model M^Delta in
+/// \cite Liou2008. The positions are called weights w_i there. SpherePositions and triangles are
+/// the mesh on the sphere, called network S^Delta. The sphere positions are called network
+/// positions n_i. Model and network have the same triangles. SpherePositions are empty if the mesh
+/// has not been mapped to the sphere.
 struct LearnedMesh : MappedMesh
 {
   std::vector<TrainingRecord> History; ///< one record for each epoch, pass and iteration
@@ -52,8 +55,8 @@ struct FittedMesh : LearnedMesh
   double Noise = 0.0;
   /// Fraction of the surface area without samples nearby, in [0, 1], see unsupportedFraction().
   double UnsupportedFraction = 0.0;
-  /// Standard error of each vertex along the normal, #V, if the maximum radius is 1. Empty if
-  /// unknown.
+  /// Standard error of each vertex position along the normal, #V, in the samples' unit (maximum
+  /// radius 1). Empty if unknown.
   std::vector<double> StandardError;
   /// Number of free parameters of the surface; 0 if unknown.
   double DegreesOfFreedom = 0.0;

@@ -1,8 +1,7 @@
 /// Fit the vertices of a triangle mesh to samples of a surface by least squares.
 ///
-/// Own construction, not from a publication: the distance between a sample and the surface is the
-/// squared distance of \cite Pottmann2006 without its curvature term. Without this term, a few
-/// iterations still suffice.
+/// Own construction: the fit minimizes the squared-distance function of \cite Pottmann2006, but
+/// omits the curvature term of this function. Without this term, a few iterations still suffice.
 
 #ifndef ConformalLeastSquaresFit_h
 #define ConformalLeastSquaresFit_h
@@ -19,8 +18,10 @@
 
 namespace conformal
 {
-/// Options of leastSquaresFit(). The smoothness is the weight of a smooth surface at a vertex,
-/// divided by the mean weight of the samples of a vertex.
+/// Options of leastSquaresFit(). The fit minimizes an energy, a sum of terms for the distances of
+/// samples, and smoothness terms. The mean mass is the total weight of the samples that are used,
+/// divided by the number of vertices. The smoothness is the weight of the smoothness terms at a
+/// vertex, divided by the mean mass.
 struct LeastSquaresFitOptions
 {
   int Iterations = 10; ///< number of iterations
@@ -45,8 +46,8 @@ struct LeastSquaresFitOptions
   bool AutomaticPriority = true;
 
   /// Surface to which vertices without samples are pulled along their normals, or null. The weight
-  /// of the pull is a tenth of the mean weight of the samples of a vertex. Vertices over holes in
-  /// the samples are not pulled if the holes are wider than eight edges of the mesh.
+  /// of the pull is a tenth of the mean mass. Vertices over holes in the samples are not pulled if
+  /// the holes are wider than eight edges of the mesh.
   std::shared_ptr<const TriangleTree> Guide;
 
   /// Maximum number of samples in an iteration. Each iteration uses different samples.
@@ -60,17 +61,17 @@ struct LeastSquaresFitOptions
 ///
 /// Each iteration projects every sample to its foot point, the closest point on the surface. Then
 /// the vertices are moved to minimize the energy of SurfaceEquations.h. This energy has terms for
-/// the samples, and terms for a smooth surface. The weight of the smoothness terms at a vertex is
-/// its stiffness. The stiffness is the smoothness times the mean weight of the samples of a vertex.
-/// At vertices without samples nearby, the stiffness is larger, so that the surface is interpolated
-/// there. In the last five iterations, the stiffness is also larger at folds, where the normals of
-/// neighboring triangles differ by more than 90 degrees.
+/// the distances of the samples, and smoothness terms. The weight of the smoothness terms at a
+/// vertex is called the stiffness of the vertex. The stiffness is the smoothness times the mean
+/// mass, see LeastSquaresFitOptions. At vertices without samples nearby, the stiffness is larger,
+/// so that the surface is interpolated there. In the last five iterations, the stiffness is also
+/// larger at folds. At a fold, normals of neighboring triangles differ by more than 90 degrees.
 ///
 /// Outliers are ignored: samples much farther from the surface than neighboring samples
 /// (LocalScale.h).
 ///
-/// @param[in,out] mesh  mesh with vertices in the samples' unit (maximum radius 1). One record per
-///   iteration is appended to mesh.History.
+/// @param[in,out] mesh  mesh in the coordinates of the samples. The samples are scaled to a maximum
+///   distance of 1 from their centroid. One record per iteration is appended to mesh.History.
 /// @return for each triangle, the total weight of the samples projected to this triangle in the
 ///   last iteration. Without iterations, all values are 0.
 /// @throws Aborted

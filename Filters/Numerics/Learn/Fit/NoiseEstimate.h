@@ -1,8 +1,8 @@
 /// Estimate the noise of samples from their distances to learned surfaces.
 ///
-/// Own construction, not from a publication: square errors of a coarse mesh and of a fine mesh are
-/// compared. The error of a mesh is the distance of samples from the mesh. A finer mesh reduces the
-/// error due to unresolved detail (too small for the triangles), but not the error due to noise.
+/// Own construction, not from a publication: errors of a coarse mesh and of a fine mesh are
+/// compared. An error is the distance of a sample from the mesh. A finer mesh reduces the error due
+/// to unresolved detail (too small for the triangles), but not the error due to noise.
 
 #ifndef ConformalNoiseEstimate_h
 #define ConformalNoiseEstimate_h
@@ -16,14 +16,17 @@
 namespace conformal
 {
 /// Estimate the variance of the noise, divided by the variance due to unresolved detail on the fine
-/// surface. The estimate is based on the typical square errors of two surfaces. The coarse surface
-/// has a quarter of the vertices of the fine surface.
+/// surface. The estimate is based on the typical square errors of two surfaces. A typical square
+/// error is the geometric mean of the squared distances of samples from a surface. The coarse
+/// surface has a quarter of the vertices of the fine surface.
 ///
 /// Detail is assumed to cause a six times smaller square error on the fine surface. This factor was
-/// measured on scans. For smooth objects and fine meshes, the factor would approach 16. The noise
-/// is assumed to cause the same square error on both surfaces.
+/// measured on scans. For smooth objects and fine meshes, the factor would approach 16. Errors are
+/// then four times smaller if edges are half as long. The noise is assumed to cause the same square
+/// error on both surfaces.
 /// @param[in] coarseError, fineError  typicalSquareError() of both surfaces
-/// @return the ratio, in [0, 10]; 10 if the fine surface has no smaller error than the coarse one
+/// @return the ratio, in [0, 10]; 10 if the error of the fine surface is not below that of the
+///   coarse surface
 double noiseToDetail(double coarseError, double fineError);
 
 /// Estimate the variance of Gaussian noise along the normal, from the typical square errors of a

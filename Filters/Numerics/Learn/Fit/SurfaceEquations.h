@@ -27,21 +27,21 @@ namespace conformal
 /// - p is the weight of the pattern.
 /// - b are the barycentric weights of the foot point, so that b w is the foot point.
 /// - r = x - b w is the vector from the foot point to the pattern.
-/// - M is a 3 by 3 matrix. If the foot point is inside a triangle, M reduces the weight of
-///   distances along the surface to 0.02. The reason is that foot points may move along the surface
-///   from iteration to iteration. Distances along the normal always have weight 1.
+/// - M is a 3 by 3 matrix of weights. Distances along the normal have weight 1. If the foot point
+///   is inside a triangle, distances along the surface have weight 0.02. With this small weight,
+///   foot points can slide along the surface from iteration to iteration.
 ///
 /// The term (b d - r)^T M (b d - r) is the squared distance of \cite Pottmann2006 without its
 /// curvature term. With this distance, a few iterations of the fit suffice.
 ///
 /// The second sum is over all vertices i. L is the uniform Laplacian: the position of vertex i
-/// minus the mean of its neighbors. The stiffness s_i is the weight of a smooth surface at vertex
-/// i. The part of the Laplacian along the surface is weighted by `evenness`, a parameter of
-/// solve().
+/// minus the mean of its neighbors. The stiffness s_i is the weight of this term at vertex i. A
+/// larger stiffness makes the surface smoother. The part of the Laplacian along the surface is
+/// weighted by `evenness`, a parameter of solve().
 ///
-/// The bending energy (HingeBending.h) is a sum over all edges. Its weight at an edge is the mean
-/// stiffness of the two vertices of the edge. The bending energy prevents wrinkles of thin
-/// triangles.
+/// The bending energy (HingeBending.h) is a sum over all edges. Each edge contributes an energy
+/// that increases with the angle between the normals of its two triangles. The weight of an edge is
+/// the mean stiffness of its two vertices. The bending energy prevents wrinkles of thin triangles.
 class SurfaceEquations
 {
 public:

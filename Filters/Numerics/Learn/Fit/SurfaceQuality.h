@@ -1,7 +1,7 @@
 /// Evaluate the quality of a learned surface by its samples.
 ///
-/// Own construction, not from a publication: each defect is measured as a fraction of the samples
-/// or edges, and compared with a tolerance. A reference surface is not needed.
+/// Own construction, not from a publication: each defect is a fraction of the samples or edges, and
+/// is compared with a tolerance. A reference surface is not needed.
 
 #ifndef ConformalSurfaceQuality_h
 #define ConformalSurfaceQuality_h
@@ -22,7 +22,8 @@ struct SurfaceQuality
   double FoldedFraction = 0.0; ///< fraction of edges with a dihedral angle below 30 degrees
 
   // The following properties are the same for any surface through the samples.
-  /// Fraction of samples more than 0.02 from the plane through their neighbors.
+  /// Fraction of samples whose distance from the plane through their neighbors is above 0.02, in
+  /// the samples' unit (maximum radius 1).
   double UndersampledFraction = 0.0;
   /// Distance between two layers of samples in the samples' unit (maximum radius 1), or 0 if there
   /// is only one layer.
@@ -46,18 +47,20 @@ struct ToleratedQuality
 ///   ignored.
 /// - InvertedFraction: At each sample, the surface normal is compared with the normal of the
 ///   sample. If the samples have no consistent normals, the surface normals are assigned to the
-///   samples. From these normals, the winding number of the samples is computed, a function of
-///   position (WindingNumbers.h). Along a correct outward normal, the winding number decreases. The
-///   winding number does not decrease if the surface is inside out, or if the same samples are near
-///   two sides of the surface.
+///   samples. From these normals, the winding number of the samples is computed (WindingNumbers.h).
+///   The winding number is a function of position. With outward normals, its value is about 1
+///   inside the object, and about 0 outside. Along a correct outward normal, the winding number
+///   decreases. If the winding number does not decrease, the surface is inside out, or two of its
+///   sides are near the same samples.
 /// - UndersampledFraction: A sample is counted if its distance from the plane through its neighbors
 ///   is above 0.02. Samples are too sparse there for the curvature of the surface.
-/// - LayerDistance: A scan with registration errors may consist of two layers. The offset of a
-///   sample is its signed distance from the surface. In two layers, offsets of neighboring samples
-///   have about two values. The kurtosis is 1 for two values, and 3 for Gaussian noise. Layers are
-///   therefore found by a kurtosis nearer to 1 than to 3. However, offsets of a curved object from
-///   a coarse mesh may also have about two values. Therefore, neighboring samples that fit a common
-///   quadratic surface are not counted as layers.
+/// - LayerDistance: A scan with registration errors can consist of two layers of samples. The
+///   offset of a sample is its signed distance from the surface. In two layers, offsets of
+///   neighboring samples have about two values. Their kurtosis (mean fourth power, divided by the
+///   squared variance) is 1 for two values, and 3 for Gaussian noise. Two layers are assumed if the
+///   kurtosis is below 2.15. However, offsets of a curved object from a coarse mesh can also have
+///   about two values. Neighboring samples are therefore not counted as layers if they are near a
+///   common quadratic surface.
 ///
 /// About 10,000 samples are used. All ranks use the same samples.
 ///
@@ -69,8 +72,9 @@ struct ToleratedQuality
 SurfaceQuality evaluateSurface(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, double noise, const Run& run = {});
 
-/// Reduce UncoveredFraction by the fraction of samples that a hull left out. A hull, the start
-/// surface of learning, leaves out samples far from it on purpose.
+/// Reduce UncoveredFraction by the fraction of samples that a hull left out. A hull is a start
+/// surface of learning, a closed surface around the samples. Samples outside of the hull and far
+/// from it are left out on purpose.
 /// @param[in] leftOut  number of omitted samples
 /// @param[in] all      total number of samples
 SurfaceQuality withoutLeftOut(SurfaceQuality quality, Index leftOut, Index all);

@@ -2,8 +2,8 @@
 /// are called patterns, as in \cite Liou2008.
 ///
 /// Own construction, not from a publication: patterns per area are counted. The mismatch error
-/// E_mis of \cite Liou2008 does not detect unsupported area, because it is measured from patterns
-/// to the surface only.
+/// E_mis of \cite Liou2008 does not detect unsupported area. This error is only measured from
+/// patterns to the surface.
 
 #ifndef ConformalSurfaceSupport_h
 #define ConformalSurfaceSupport_h
@@ -20,10 +20,10 @@ namespace conformal
 /// Find unsupported vertices. Unsupported vertices are on webs (spurious membranes) between limbs,
 /// or on fillings of holes in the data.
 ///
-/// The number of patterns around a vertex is compared with the number expected for an area of the
-/// same size, if patterns were spread evenly. The neighborhood of the vertex is enlarged until
-/// about a hundred patterns are expected there. If the neighborhood contains less than a quarter of
-/// the expected number, the vertex is unsupported.
+/// The number of patterns around a vertex is compared with an expected number. This is the number
+/// in an area of the same size, if patterns were spread evenly. The neighborhood of the vertex is
+/// enlarged until the expected number is about a hundred. If the neighborhood contains less than a
+/// quarter of this number, the vertex is unsupported.
 ///
 /// @param[in] positions  #V by 3
 /// @param[in] triangles  #F by 3
@@ -84,9 +84,9 @@ double unsupportedFraction(const TrainingSamples& samples, const Points& positio
 std::vector<double> supportOfVertices(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const Run& run = {});
 
-/// Compute the fraction of triangles with an angle above 90 degrees. If a mesh had nearly
-/// equilateral triangles before, a large fraction indicates that the mesh was stretched over limbs
-/// or edges.
+/// Compute the fraction of triangles with an angle above 90 degrees. If learning began with nearly
+/// equilateral triangles, a large fraction indicates that the mesh was stretched over limbs or
+/// edges.
 double obtuseFraction(const Points& positions, const Triangles& triangles);
 }
 

@@ -2,8 +2,8 @@
 /// has a network position on the unit sphere, and a weight vector in space.
 ///
 /// Own construction, not from a publication: each block of neurons has bounds in space and on the
-/// sphere. A search skips the blocks whose bounds are too far away. The search is therefore fast,
-/// and still exact.
+/// sphere. A search for the neuron closest to a sample skips blocks whose bounds are farther away
+/// than the closest neuron so far. The search is therefore fast, and still exact.
 
 #ifndef ConformalNeuronBlocks_h
 #define ConformalNeuronBlocks_h
@@ -16,7 +16,7 @@
 namespace conformal
 {
 /// Neurons in blocks. The neurons of a block are close together on the sphere, and several blocks
-/// form a group. Each block and each group has two bounds:
+/// form a group. For each block and each group, two bounds are stored:
 /// - a ball that contains the network positions n_i, which do not change
 /// - a box that contains the current weight vectors w_i
 class NeuronBlocks
@@ -30,9 +30,8 @@ public:
   /// several weight vectors are equally close, the lowest id is returned.
   int findWinner(const Vector3& x) const;
 
-  /// Move all neurons i by Eq. 3 of \cite Liou2008, where alpha is the learning rate and sigma the
-  /// neighborhood radius:
-  /// w_i += alpha exp(-|r - n_i|^2 / (2 sigma^2)) (x - w_i).
+  /// Move all neurons i by Eq. 3 of \cite Liou2008. Let alpha be the learning rate, and sigma the
+  /// neighborhood radius. Then: w_i += alpha exp(-|r - n_i|^2 / (2 sigma^2)) (x - w_i).
   ///
   /// Neurons with |r - n_i| above Reach times sigma are not moved. The computed factors of x - w_i
   /// have relative errors of at most 1e-4.

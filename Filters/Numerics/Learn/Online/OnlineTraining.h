@@ -14,8 +14,8 @@
 namespace conformal
 {
 /// Constants of \cite Liou2008, which are also options of trainConformalSOM(). Training consists of
-/// epochs, each of many steps. In a step, a sample moves the neurons near it. Here t is the number
-/// of the epoch, counted from 0.
+/// epochs, each of many steps. In a step, a sample moves neurons, the vertices of the mesh that is
+/// learned. Here t is the number of the epoch, counted from 0.
 struct OnlineOptions
 {
   int NumberOfEpochs = 80;
@@ -44,10 +44,11 @@ struct OnlineTrainingOptions : OnlineOptions
 /// whose vertices are the neurons. Each neuron has a weight vector, its position in space. Weight
 /// vectors are in the samples' unit (maximum radius 1).
 ///
-/// Implementation note: samples may have priorities. In the second half of the epochs, samples are
-/// drawn with probabilities proportional to their priorities. In the first half, all samples have
-/// equal probabilities. With priorities from the beginning, too few neurons would represent parts
-/// of low priority.
+/// Implementation note: samples can have priorities, which are given with the samples. In the
+/// second half of the epochs, samples are drawn with probabilities proportional to their
+/// priorities. In the first half, all samples have equal probabilities. With priorities from the
+/// beginning, too few neurons would represent parts of the surface where samples have low
+/// priorities.
 /// @param[in] network  geodesic sphere of options.Frequency: positions n_i, and triangles
 /// @param[in] start    initial weight vectors w_i(0)
 /// @throws Aborted
