@@ -33,8 +33,8 @@ struct NestedDissection
 
 /// Compute an elimination order by recursive bisection. A set of unknowns is divided at the median
 /// position along the longest side of its bounding box. The separator consists of all unknowns in
-/// one half that have neighbors in the other half. If there are none, as between pieces that are
-/// not connected, the separator is one unknown.
+/// one half that have neighbors in the other half. If both halves are not connected, the separator
+/// is a single unknown.
 /// @param[in] graph   neighbors of each unknown: a symmetric relation; no unknown is its own
 ///   neighbor
 /// @param[in] places  position of each unknown in space

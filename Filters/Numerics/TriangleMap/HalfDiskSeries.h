@@ -151,8 +151,8 @@ public:
   /// W = (1 + sum)^(1/a) s, with the sum over n > 0 in the comment of this class. The approximation
   /// is W(s) = s / (1 - g s + q s^2). The constants g and q are chosen so that the approximation is
   /// exact up to s^3. The approximation is also exact for the extremal univalent functions (the
-  /// most distorted one-to-one maps). Therefore, the approximation is accurate for triangles of any
-  /// shape.
+  /// most distorted one-to-one maps). Since all other maps are less distorted, the approximation is
+  /// accurate for triangles of any shape.
   Complex guess(const Complex& logUniform)
   {
     const auto [g, q] = this->leading();
@@ -162,8 +162,8 @@ public:
     return logUniform + log1p(ratio - 1.0);
   }
 
-  /// Approximate s for a given real number W, positive or negative. The formula is that of guess()
-  /// for complex numbers.
+  /// Approximate s for a given real number W, positive or negative. The formula is the same as in
+  /// guess() for complex numbers.
   double guess(double w)
   {
     const auto [g, q] = this->leading();

@@ -24,8 +24,8 @@ struct CornerTable
 };
 using ShapeTable = std::array<CornerTable, 3>;
 
-/// Position on an edge: the two barycentric coordinates of the ends of the edge, each to full
-/// precision. The sum of both coordinates is 1.
+/// Position on an edge: the barycentric coordinates that belong to the two ends of the edge, each
+/// to full precision. The two coordinates have the sum 1.
 struct EdgeShares
 {
   double First = 0.0, Second = 0.0;
@@ -58,7 +58,8 @@ public:
   /// @param[in] rotation  corner k of the table is corner k + rotation (mod 3) of the triangle
   TriangleMap(const TriangleShape& shape, const ShapeTable* table, int rotation);
 
-  /// Compute the table of a shape. The cost is about that of mapping a few points without a table.
+  /// Compute the table of a shape. Computing a table costs about as much as mapping a few points
+  /// without a table.
   static ShapeTable makeTable(const TriangleShape& shape);
 
   const TriangleShape& shape() const { return this->Shape; }
