@@ -36,7 +36,8 @@ public:
   }
 
   /// Begin the next step, and report the progress at its beginning.
-  /// @return Run to pass to that step; a short step need not report progress
+  /// @return Run (threads and progress callback) to pass to that step. A short step need not report
+  ///   progress.
   /// @throws Aborted if the progress callback returns false
   Run next()
   {

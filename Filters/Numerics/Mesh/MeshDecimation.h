@@ -1,5 +1,6 @@
-/// Decimate a closed surface of genus zero. Vertices whose removal changes the shape least (minimum
-/// quadric error) are removed first, \cite Garland1997.
+/// Decimate a closed surface of genus zero. Vertices whose removal changes the shape least are
+/// removed first, \cite Garland1997. The change is measured by the quadric error, a sum of squared
+/// distances from planes of triangles.
 
 #ifndef ConformalMeshDecimation_h
 #define ConformalMeshDecimation_h

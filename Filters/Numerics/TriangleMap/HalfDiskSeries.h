@@ -1,7 +1,8 @@
-/// Evaluate the conformal map of a triangle near a corner by power series. The map is defined on a
-/// half disk with the coordinate s, see the beginning of SchwarzChristoffel.h. The integrand of
-/// \cite Liou2008 Eqs. 4 and 5 is expanded in powers of s, at the image s = 0 of the corner. The
-/// series is our own construction: it converges for triangles of any shape.
+/// Evaluate the conformal map of a triangle near a corner by power series. The map is defined on
+/// the upper half of the unit disk. The complex coordinate s of this half disk is defined at the
+/// beginning of SchwarzChristoffel.h. The integrand of \cite Liou2008 Eqs. 4 and 5 is expanded in
+/// powers of s, at the image s = 0 of the corner. The series is our own construction: it converges
+/// for triangles of any shape.
 
 #ifndef ConformalHalfDiskSeries_h
 #define ConformalHalfDiskSeries_h

@@ -1,5 +1,6 @@
 /// Map many points of one triangle conformally, \cite Liou2008 Eqs. 4 and 5. Triangles are mapped
-/// to a half disk with the complex coordinate s, defined at the beginning of SchwarzChristoffel.h.
+/// to the upper half of the unit disk. The complex coordinate s of this half disk is defined at the
+/// beginning of SchwarzChristoffel.h.
 
 #ifndef ConformalTriangleMap_h
 #define ConformalTriangleMap_h
