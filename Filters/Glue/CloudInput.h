@@ -21,7 +21,8 @@ namespace glue
 struct CloudInput
 {
   conformal::CoordinateFrame Frame;
-  /// Points in coordinates of the frame. The view refers to the array of the input, or to Copy.
+  /// View (access without a copy) of the points in coordinates of the frame. The view refers to the
+  /// array of the input, or to Copy.
   conformal::PointView View;
   conformal::FarPoints Far; ///< points far from all others
   /// Function that returns whether to skip a point, because it is a ghost point or a far point. May

@@ -15,8 +15,8 @@ namespace glue
 struct CloudNormals
 {
   bool Known = false; ///< whether the cloud has normals
-  /// Normals of any length. An undefined normal is zero or not finite. The view refers to the array
-  /// of the input, or to Copy.
+  /// View (access without a copy) of the normals, which have any length. An undefined normal is
+  /// zero or not finite. The view refers to the array of the input, or to Copy.
   conformal::PointView View;
   conformal::Points Copy;
 };

@@ -32,7 +32,8 @@ struct CoordinateFrame
   /// frame.
   Vector3 toFrame(const Vector3& x) const { return x / this->Unit; }
 
-  /// Divide a point by the unit. The point may be far from the points of frameOf(), see inUnits().
+  /// Divide a point by the unit. The point can be far from the points from which frameOf() computed
+  /// the frame, see inUnits().
   Vector3 toFrameFromAfar(const Vector3& x) const { return inUnits(x, this->Unit); }
 };
 

@@ -1,5 +1,5 @@
-/// Compute edge weights of a triangle mesh: equal weights, \cite Tutte1963, or cotangent weights,
-/// \cite Pinkall1993.
+/// Compute edge weights of a triangle mesh for harmonic maps (weighted means of neighbors): equal
+/// weights, \cite Tutte1963, or cotangent weights, \cite Pinkall1993.
 
 #ifndef ConformalEdgeWeights_h
 #define ConformalEdgeWeights_h
@@ -42,12 +42,12 @@ EdgeWeights equalWeights(const Triangles& triangles, Index numberOfVertices);
 EdgeWeights cotangentWeights(
   const Triangles& triangles, Index numberOfVertices, const Points& cotangents);
 
-/// Cotangent weights of a surface, called string constants in \cite GuYau2002. Two numbers count
-/// edges with negative or infinite weight. If there are such edges, a harmonic map can fold or be
-/// undefined.
+/// Cotangent weights of a surface, called string constants in \cite GuYau2002. The numbers of edges
+/// with negative and with infinite weight are also computed. Negative weights can cause folds of a
+/// harmonic map. Infinite weights come from triangles of zero area, which are ignored.
 struct StringConstants
 {
-  EdgeWeights Strings; ///< cotangent weights; triangles of zero area are ignored
+  EdgeWeights Strings; ///< cotangent weights, without triangles of zero area
   /// Number of edges with negative weight: their opposite angles have a sum above pi
   Index NumberOfNegative = 0;
   Index NumberOfInfinite = 0; ///< number of edges of triangles with zero area

@@ -60,7 +60,8 @@ enum class SeamMode
 /// corner. In mode EdgeMatched, some triangles therefore have an affine map instead of the
 /// conformal map, followed by the slides. The dilatation of an affine map is its largest singular
 /// value divided by its smallest. The affine map is used if its dilatation from network to model is
-/// above 1.5. In both modes, degenerate triangles are mapped affinely.
+/// above 1.5. In measurements, a larger limit concentrated points in corners. In both modes,
+/// degenerate triangles are mapped affinely.
 class FlatMap
 {
 public:

@@ -62,8 +62,8 @@ inline Complex over(const Complex& a, const Complex& b)
 }
 
 /// Return the number of terms that a power series in s needs for full precision. The argument logS
-/// is log |s|. The number is even. The coefficients of the series are assumed to have magnitudes
-/// near 1.
+/// is log |s|. The returned number is even. The coefficients of the series are assumed to have
+/// magnitudes near 1.
 inline int termsFor(double logS)
 {
   return logS > LogEpsilon / MaximumTerms ? MaximumTerms

@@ -8,11 +8,11 @@
 ///
 /// Implementation note: \cite Liou2008 uses maps to the whole unit disk. On the border of the disk,
 /// the images of the corners can be chosen freely. This file uses the upper half of the unit disk
-/// instead, to which the whole disk has a conformal map. Let s be the complex coordinate of the
-/// half disk: |s| <= 1, Im s >= 0. One corner of the triangle is mapped to s = 0, the next corner
-/// to 1, the previous corner to -1. The edge opposite the corner at 0 is mapped to the half circle.
-/// Let a, b and c be the angles of these three corners, in units of pi. Let z be the complex
-/// coordinate in the plane of the triangle. Eqs. 4 and 5 then become
+/// instead. The whole disk has a conformal map to this half disk. Let s be the complex coordinate
+/// of the half disk: |s| <= 1, Im s >= 0. One corner of the triangle is mapped to s = 0, the next
+/// corner to 1, the previous corner to -1. The edge opposite the corner at 0 is mapped to the half
+/// circle. Let a, b and c be the angles of these three corners, in units of pi. Let z be the
+/// complex coordinate in the plane of the triangle. Eqs. 4 and 5 then become
 ///     dz/ds = k 4^a s^(a-1) (1-s)^(2b-1) (1+s)^(2c-1),   k = pi D / (Gamma(a) Gamma(b) Gamma(c)),
 /// where D is the diameter of the circumcircle. A factor 1 + s^2 cancels, since a + b + c = 1. All
 /// parameters of the formula are known real numbers. For every point, at least one choice of the
