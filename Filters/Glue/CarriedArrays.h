@@ -25,9 +25,10 @@ namespace glue
 /// Arrays that define positions or ids are skipped: "SpherePosition", active normals and texture
 /// coordinates, ghosts, global ids and pedigree ids.
 ///
-/// Numbers that are not finite are ignored. If all source numbers of an output point are ignored,
-/// the output point gets 0. One warning gives the number of output points that got 0 for this
-/// reason. Another warning lists arrays of equal name that have different numbers of components.
+/// Source points with a number that is not finite are ignored. If all source points of an output
+/// point are ignored, the output point gets 0. A warning gives the number of these output points,
+/// summed over all arrays. Another warning lists arrays of equal name that have different numbers
+/// of components.
 /// @param[in] self     object that issues the warnings
 /// @param[in] weights  interpolation weights. Source points are numbered consecutively: first those
 ///   of the first surface, then those of the second surface, and so on.

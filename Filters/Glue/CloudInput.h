@@ -16,12 +16,13 @@ class vtkPointSet;
 namespace glue
 {
 /// Points of a cloud in a coordinate frame: coordinates are divided by the unit of the frame. Far
-/// points are points far from all others. The unit is computed without far points, so that
-/// coordinates of far points in the frame are invalid. All users must skip far points.
+/// points are points far from all others. The unit is computed without far points. Coordinates of
+/// far points in the frame are possibly huge or infinite. All users must skip far points.
 struct CloudInput
 {
   conformal::CoordinateFrame Frame;
-  /// Points in coordinates of the frame. The view refers to the array of the input, or to Copy.
+  /// View (access without a copy) of the points in coordinates of the frame. The view refers to the
+  /// array of the input, or to Copy.
   conformal::PointView View;
   conformal::FarPoints Far; ///< points far from all others
   /// Function that returns whether to skip a point, because it is a ghost point or a far point. May
@@ -30,12 +31,12 @@ struct CloudInput
   conformal::Points Copy; ///< copy of the points, if the input has neither floats nor doubles
 };
 
-/// Read a cloud. If a polygon of the input uses a far point, the input is regarded as a surface.
-/// Then no point is treated as far.
+/// Read a cloud. If a polygon of the input uses a far point, the input is regarded as a surface,
+/// and no point is treated as far.
 /// @param[in] input       points to read; must outlive cloud.View
 /// @param[in] priorities  one number for each point: the importance of the point for a later
-///   computation. May be empty. Points without a positive and finite priority do not influence the
-///   search for far points.
+///   computation. May be empty. The search for far points ignores points without a positive and
+///   finite priority.
 /// @param[in] surface     second data set, or null. The frame is computed from the points of the
 ///   cloud and of this data set.
 /// @param[in] reduce      sum over all ranks (processes), each of which has a part of the points

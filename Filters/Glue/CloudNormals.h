@@ -15,8 +15,8 @@ namespace glue
 struct CloudNormals
 {
   bool Known = false; ///< whether the cloud has normals
-  /// Normals of any length. A normal is zero or not finite if it is undefined. The view refers to
-  /// the array of the input, or to Copy.
+  /// View (access without a copy) of the normals, which have any length. An undefined normal is
+  /// zero or not finite. The view refers to the array of the input, or to Copy.
   conformal::PointView View;
   conformal::Points Copy;
 };
@@ -32,9 +32,9 @@ struct CloudNormals
 void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::Reduce& reduce, bool needed, CloudNormals& normals);
 
-/// Find the normals of a cloud, and pass them to the cloud's samples. With the normals, a hull is
-/// made, a closed surface around the points. If the hull method is Distance, which uses no normals,
-/// do nothing.
+/// Find the normals of a cloud, and pass them to the samples, the points from which a mesh is
+/// learned. Normals are needed to compute the hull, a closed surface around the points. If the hull
+/// method is Distance, which uses no normals, do nothing.
 /// @param[out] normals  memory for the normals; must outlive the samples
 /// @throws std::invalid_argument if the hull method is WindingNumbers and a cell contains an
 ///   invalid point id

@@ -12,13 +12,13 @@ namespace glue
 /// Warn that some points are not finite.
 void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
 /// Warn that handles of the hull (a closed surface around the points) were cut open.
-/// @param[in] cutFraction  fraction of the hull's area on the cuts
+/// @param[in] cutFraction  area of the cuts, as a fraction of the hull's area
 void WarnOfCutHandles(vtkObject* self, double cutFraction);
 /// Warn that the normals of the points are not used, because they contradict each other.
 void WarnOfUnusedNormals(vtkObject* self);
-/// Warn that some points are outside of the hull and far from it, apart from the object.
+/// Warn that some points are outside of the hull and far from it: outliers, or separate parts.
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
-/// Warn that some points are inside the hull and far from its surface.
+/// Warn that some points are inside the hull and far from its surface: inner parts, or outliers.
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total);
 }
 

@@ -10,8 +10,9 @@
 namespace glue
 {
 /// Return whether an algorithm must abort. The algorithm must abort if its flag AbortExecute is
-/// set. Since VTK 9.3, the algorithm must also abort if AbortExecute of an upstream algorithm is
-/// set. If so, the function marks the outputs as aborted.
+/// set. Since VTK 9.3, two rules are added:
+/// - The algorithm must also abort if AbortExecute of an upstream algorithm is set.
+/// - If the algorithm must abort, this function marks the outputs as aborted.
 inline bool IsAbortWanted(vtkAlgorithm* self)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111) // VTK of ParaView 5.11, before VTK 9.3

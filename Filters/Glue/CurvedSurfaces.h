@@ -1,6 +1,7 @@
-/// Build a curved seamless surface from a triangle mesh with a map to the sphere. Such a surface
-/// replaces each flat triangle by a curved patch, called a dome. Curved seamless surfaces are used
-/// by vtkCurvedSeamlessMap and by the filter vtkCurvedSeamlessSurface.
+/// Build a curved seamless surface from a triangle mesh with a map to the sphere. A curved patch,
+/// called a dome, replaces each flat triangle of the mesh. Seamless means that neighboring domes
+/// have no gap between them. Curved seamless surfaces are used by vtkCurvedSeamlessMap and by the
+/// filter vtkCurvedSeamlessSurface.
 #ifndef GlueCurvedSurfaces_h
 #define GlueCurvedSurfaces_h
 
@@ -25,6 +26,7 @@ struct CurvedSeamlessProperties
   conformal::CurvedSeamlessSurfaceOptions Options;
   /// Factor of the vertex shift, which moves vertices before domes are built (property
   /// VertexShift). If the value is negative, the mesh's field array "VertexShift" is used instead.
+  /// If this array is missing, the factor is 0.
   double VertexShift = -1.0;
 };
 
@@ -40,8 +42,8 @@ struct BuiltSurface
 /// mesh.
 /// @param[in] self     object that issues warnings
 /// @param[in] surface  mesh of this rank, possibly empty
-/// @param[in] cloud    points on this rank, or null. Points are used only if the option DomeHeight
-///   is Fitted: domes are then fitted to the points.
+/// @param[in] cloud    points on this rank, or null. If the option DomeHeight is Fitted, domes are
+///   fitted to the points. Otherwise, the points are not used.
 /// @throws std::invalid_argument if no rank has a valid mesh
 /// @throws conformal::Aborted
 std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties& properties,

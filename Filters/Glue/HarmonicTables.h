@@ -12,8 +12,8 @@ class vtkTable;
 
 namespace glue
 {
-/// Coefficients of functions on the sphere, as sums of spherical harmonics. Each row belongs to one
-/// spherical harmonic. The rows are in the order of harmonicIndex() in
+/// Functions on the sphere as sums of spherical harmonics: the coefficients of the sums. Each row
+/// belongs to one spherical harmonic. The rows are in the order of harmonicIndex() in
 /// Harmonics/SphericalHarmonics.h.
 struct Harmonics
 {

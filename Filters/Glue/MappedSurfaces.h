@@ -52,7 +52,8 @@ void SetNamedBlock(
 /// @throws std::invalid_argument if a data object or block is not a vtkPolyData
 void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
 
-/// Return whether there is no surface, or a surface without points. If so, issue a warning.
+/// Test whether there are no surfaces, or some surface has no points. If the result is true, issue
+/// a warning.
 bool HasEmpty(vtkObject* self, const Surfaces& surfaces);
 
 /// Convert the surfaces and their maps to meshes in a common coordinate frame. Coordinates in the

@@ -41,8 +41,8 @@ struct ClosedMesh : conformal::Mesh
 {
   /// For each vertex, the id of its point in the source surface, the surface that was converted.
   std::vector<vtkIdType> PointIds;
-  /// Whether all triangles are clockwise seen from outside, as in the source surface. If so,
-  /// Outward() reverses the triangles.
+  /// Whether all triangles are clockwise seen from outside, as in the source surface. If true,
+  /// Outward() reverses the triangles in its copy.
   bool InsideOut = false;
 };
 
@@ -68,7 +68,7 @@ conformal::Mesh Outward(const ClosedMesh& mesh);
 
 /// Set an output to the source surface of a closed mesh. If ToClosedMesh() repaired nothing, the
 /// output is a shallow copy of the source surface. Otherwise, the output is the repaired mesh, with
-/// the point data of the remaining points.
+/// the point data of the remaining points and the field data.
 void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
   const conformal::CoordinateFrame& frame, vtkPolyData* output);
 

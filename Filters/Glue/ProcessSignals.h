@@ -1,4 +1,5 @@
-// Send messages between the processes that run a filter together, without blocking a process.
+// Signal to all processes that run a filter together that they must stop. Signals are sent and
+// received without blocking a process.
 #ifndef GlueProcessSignals_h
 #define GlueProcessSignals_h
 
@@ -11,8 +12,9 @@ namespace glue
 {
 /// Signals by which a process informs all other processes that they must stop. The other processes
 /// may be computing or waiting. Signals require MPI, since only MPI can test for a message without
-/// blocking. If the controller does not use MPI, or VTK is built without MPI, available() returns
-/// false. In this case, no other function may be called.
+/// blocking. In three cases, available() returns false: the controller does not use MPI, there is a
+/// single process, or VTK is built without MPI. If available() returns false, do not call any other
+/// function.
 class ProcessSignals
 {
 public:
@@ -28,7 +30,7 @@ public:
   void askToStop();
 
   /// Return whether another process signaled to stop. The function returns immediately. Messages
-  /// are tested only every few milliseconds. The function may therefore be called often.
+  /// are tested only every 5 milliseconds. Frequent calls therefore cost little.
   bool heardStop();
 
   /// Wait until all processes have called this function. While waiting, call `idle` repeatedly. The

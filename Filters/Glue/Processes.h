@@ -27,8 +27,8 @@ namespace glue
 ///
 /// A process that stops between two sums sends a signal to the other processes (ProcessSignals.h).
 /// The other processes exchange their states at their next progress report. While processes wait
-/// for each other, progress observers are called. Without MPI there are no signals. The other
-/// processes then continue to the next sum before they stop.
+/// for each other, progress observers are called. Without MPI, there are no signals, and the other
+/// processes continue to the next sum before they stop.
 class Processes
 {
 public:
@@ -67,7 +67,8 @@ public:
   /// @throws conformal::Aborted if a process was aborted
   void agree(const std::string* error = nullptr);
 
-  /// Signal the other processes to stop the computation. The other processes then call agree().
+  /// Signal the other processes to stop the computation. A process that receives the signal stops
+  /// and calls agree(). Without MPI, this function does nothing.
   void call();
 
 private:

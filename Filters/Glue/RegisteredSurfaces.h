@@ -1,6 +1,6 @@
-// Convert surfaces of VTK for registration, and write the results of registration to surfaces.
-// Registration deforms the map of a moving surface to the sphere, until corresponding points of a
-// fixed surface have the same sphere positions.
+// Convert surfaces of VTK for registration, and write the results of registration to surfaces. Each
+// surface has a map to the sphere. Registration deforms the map of the moving surface. Afterwards,
+// corresponding points of the moving and the fixed surface have about the same sphere positions.
 #ifndef GlueRegisteredSurfaces_h
 #define GlueRegisteredSurfaces_h
 

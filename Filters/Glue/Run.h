@@ -1,6 +1,6 @@
 /// Run the numerical core (Filters/Numerics) in a filter. The functions below provide threads,
-/// progress reports and error reports. They also protect inputs against changes during a run (an
-/// execution of the filter).
+/// progress reports and error reports. Other functions protect inputs against changes during a run
+/// (an execution of the filter).
 #ifndef GlueRun_h
 #define GlueRun_h
 

@@ -1,6 +1,6 @@
-// Read and write images of the sphere. A pixel shows the point of a surface that is mapped to one
-// direction. The parameters of the projection from the sphere to the image are stored in field
-// data.
+// Read and write images of the sphere. A surface is mapped to the sphere. Each pixel belongs to one
+// point of the sphere, and shows the surface point that is mapped there. The parameters of the
+// projection from the sphere to the image are stored in field data.
 #ifndef GlueSphereImages_h
 #define GlueSphereImages_h
 

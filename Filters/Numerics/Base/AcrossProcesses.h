@@ -18,8 +18,8 @@
 namespace conformal
 {
 /// Concatenate the rows of all ranks in rank order, on every rank.
-/// @param[in] own  rows of this rank; ranks may have different numbers of rows. Rows are sent as
-///   doubles, so integers must not exceed 2^53 in magnitude.
+/// @param[in] own  rows of this rank. The number of rows may differ between ranks. Rows are sent as
+///   doubles. Doubles represent integers exactly up to a magnitude of 2^53.
 template <typename Matrix>
 Matrix gatherRows(const Reduce& reduce, const Matrix& own)
 {
@@ -60,7 +60,7 @@ struct Minimum
 };
 
 /// Compute the element-wise minimum over all ranks.
-/// @param[in] own  numbers of this rank; all ranks must pass equally many
+/// @param[in] own  numbers of this rank; their count must be equal on all ranks
 inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<double>& own)
 {
   const Index size = static_cast<Index>(own.size());
@@ -85,7 +85,7 @@ inline std::vector<Minimum> minimum(const Reduce& reduce, const std::vector<doub
 }
 
 /// Compute the element-wise maximum over all ranks.
-/// @param[in] own  numbers of this rank; all ranks must pass equally many
+/// @param[in] own  numbers of this rank; their count must be equal on all ranks
 inline std::vector<double> maximum(const Reduce& reduce, const std::vector<double>& own)
 {
   const std::vector<double> all = gather(reduce, own);
@@ -98,9 +98,9 @@ inline std::vector<double> maximum(const Reduce& reduce, const std::vector<doubl
 }
 
 /// Update an array on one rank after another, in rank order. Each rank continues from the values
-/// that the previous rank computed. All ranks receive the values of the last rank. Floating-point
-/// sums therefore have the same bits as in a single process. The function is slow, since it sends
-/// the array once per rank.
+/// that the previous rank computed. All ranks receive the values of the last rank. Numbers are thus
+/// added in the same sequence as in a single process, and sums have the same bits. This function is
+/// slow, since the array is sent once per rank.
 /// @param[in,out] numbers  array of `count` values; equal on all ranks before the call, and again
 ///   after the call
 /// @param[in] goOn         function that updates `numbers` with the data of this rank

@@ -1,7 +1,7 @@
 /// Scale coordinates to a magnitude near 1, so that their products neither overflow nor underflow.
 /// The choice of the scale is our own construction. The scale is a power of two, because division
-/// by a power of two does not round. If the input is multiplied by a power of two, scaled
-/// coordinates keep all bits.
+/// by a power of two does not round. If the input is multiplied by a power of two, the scaled
+/// coordinates do not change.
 
 #ifndef ConformalCoordinateFrame_h
 #define ConformalCoordinateFrame_h
@@ -14,14 +14,15 @@
 
 namespace conformal
 {
-/// Return x / unit, unless a coordinate of x / unit exceeds 2^26 in magnitude. In this case, return
-/// the point at distance 2^26 from the origin in the direction of x. On a surface of size about 1,
-/// x / unit and the returned point have the same closest point, up to rounding.
+/// Divide the point x by a unit of length. If a coordinate of x / unit exceeds 2^26 in magnitude,
+/// return another point: the point at distance 2^26 from the origin in the direction of x. The
+/// replacement hardly matters for closest points: on a surface of size about 1, both points have
+/// the same closest point, up to rounding.
 Vector3 inUnits(const Vector3& x, double unit);
 
 /// Unit of length in which coordinates are near 1. The unit is a power of two, so that division and
-/// multiplication by the unit do not round. If the input is multiplied by a power of two, scaled
-/// coordinates keep all bits. Subnormal coordinates (below 2^-1022) are an exception, because they
+/// multiplication by the unit do not round. If the input is multiplied by a power of two, the
+/// scaled coordinates do not change. An exception are subnormal coordinates (below 2^-1022), which
 /// have fewer digits.
 struct CoordinateFrame
 {
@@ -31,7 +32,8 @@ struct CoordinateFrame
   /// frame.
   Vector3 toFrame(const Vector3& x) const { return x / this->Unit; }
 
-  /// Divide a point by the unit. The point may be far from the points of frameOf(), see inUnits().
+  /// Divide a point by the unit. The point can be far from the points from which frameOf() computed
+  /// the frame, see inUnits().
   Vector3 toFrameFromAfar(const Vector3& x) const { return inUnits(x, this->Unit); }
 };
 

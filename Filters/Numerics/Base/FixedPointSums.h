@@ -1,7 +1,7 @@
 /// Add real numbers as fixed-point numbers, so that sums do not depend on the order of addition.
 /// Fixed-point numbers are stored as integers, whose addition is associative. Threads and ranks
-/// (MPI processes) may thus add in any order. The use of fixed-point numbers is our own
-/// construction.
+/// (MPI processes) may thus add in any order. Sums by fixed-point numbers are our own construction,
+/// not from a publication.
 
 #ifndef ConformalFixedPointSums_h
 #define ConformalFixedPointSums_h

@@ -11,7 +11,8 @@
 namespace conformal
 {
 /// Ascending list of the ids in [0, size) that pass a test. Storage is one bit per tested id. An
-/// array of ids would need 64 bits per listed id, too much for ten million points.
+/// array of ids would need 64 bits per listed id. For ten million points, this would be too much
+/// memory.
 class KeptIds
 {
 public:

@@ -20,10 +20,10 @@ namespace conformal
 ///     const TriangleTree tree(..., steps.next());
 ///     forBlocksReporting(steps.next(), ...);
 ///
-/// Callers pass constant shares: measured times of the steps. The times were measured for a surface
-/// of 100,000 points, on one core in a release build (2026). Only the ratios of the shares matter.
-/// Progress never decreases and is reported often. However, progress does not predict the remaining
-/// time, since other surfaces have other ratios.
+/// Callers pass measured times of the steps as constant shares. The times were measured for a
+/// surface of 100,000 points, on one core in a release build (2026). Only the ratios of the shares
+/// matter. Progress never decreases and is reported often. However, progress does not predict the
+/// remaining time, since other surfaces have other ratios.
 class Steps
 {
 public:
@@ -36,7 +36,8 @@ public:
   }
 
   /// Begin the next step, and report the progress at its beginning.
-  /// @return Run to pass to that step; a short step need not report progress
+  /// @return Run (threads and progress callback) to pass to that step. A short step need not report
+  ///   progress.
   /// @throws Aborted if the progress callback returns false
   Run next()
   {

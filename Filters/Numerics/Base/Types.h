@@ -13,9 +13,11 @@ namespace conformal
 {
 using Index = Eigen::Index;
 using Vector3 = Eigen::Vector3d;
-using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #P by 3 coordinates
-using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>; ///< #F by 3, vertex ids
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;    ///< column-major matrix
+/// One row of 3 coordinates for each point
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+/// One row of 3 vertex ids for each triangle
+using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>; ///< column-major matrix
 
 constexpr double Pi = 3.14159265358979323846;
 

@@ -31,8 +31,8 @@ struct UnitBox
 /// @throws std::invalid_argument if some points are not finite; the message contains their number
 UnitBox unitBoxOf(const PointView& points);
 
-/// Transform points to their unit box. The position and the size of the input affect the result
-/// only by rounding.
+/// Transform points to their unit box. Except for rounding, the result does not depend on the
+/// position and size of the input.
 /// @throws std::invalid_argument if some points are not finite; the message contains their number
 Points inUnitBox(const PointView& points);
 }

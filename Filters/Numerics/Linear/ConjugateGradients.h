@@ -13,8 +13,8 @@ namespace conformal
 struct ConjugateGradientsOptions
 {
   int NumberOfSteps = 0; ///< maximum number of steps
-  /// Let E be the scalar product of the residual r = b - A x and its image under the
-  /// preconditioner. If E is at most this fraction of its initial value, the iteration ends.
+  /// Let r = b - A x be the residual, and P the preconditioner. The iteration ends when the scalar
+  /// product of r and P r is at most this fraction of its initial value.
   double Accuracy = 0.0;
 };
 

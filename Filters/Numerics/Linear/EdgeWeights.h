@@ -1,5 +1,5 @@
-/// Compute edge weights of a triangle mesh: equal weights, \cite Tutte1963, or cotangent weights,
-/// \cite Pinkall1993.
+/// Compute edge weights of a triangle mesh for harmonic maps (weighted means of neighbors): equal
+/// weights, \cite Tutte1963, or cotangent weights, \cite Pinkall1993.
 
 #ifndef ConformalEdgeWeights_h
 #define ConformalEdgeWeights_h
@@ -12,7 +12,8 @@
 namespace conformal
 {
 /// Weights of the edges of a mesh, stored as a symmetric sparse matrix. Each edge has two entries,
-/// one for each direction. Weights[i] is the weight of the edge from a vertex to its neighbor
+/// one for each direction. The entries of vertex v have the indices i from Neighbors.Offsets[v] to
+/// Neighbors.Offsets[v + 1] - 1. Weights[i] is the weight of the edge from v to its neighbor
 /// Neighbors.Ids[i].
 struct EdgeWeights
 {
@@ -30,9 +31,9 @@ struct EdgeWeights
   }
 };
 
-/// Assign weight 1 to each edge. In a harmonic map, each inner vertex is the weighted mean of its
-/// neighbors. With equal weights, a harmonic map of a disk into a convex planar polygon never
-/// folds, \cite Tutte1963.
+/// Assign weight 1 to each edge. In a harmonic map, the position of each inner vertex is the
+/// weighted mean of the positions of its neighbors. With equal weights, a harmonic map of a disk
+/// into a convex planar polygon never folds, \cite Tutte1963.
 EdgeWeights equalWeights(const Triangles& triangles, Index numberOfVertices);
 
 /// Compute cotangent weights: half the sum of the cotangents of the two angles opposite each edge,
@@ -41,20 +42,21 @@ EdgeWeights equalWeights(const Triangles& triangles, Index numberOfVertices);
 EdgeWeights cotangentWeights(
   const Triangles& triangles, Index numberOfVertices, const Points& cotangents);
 
-/// Cotangent weights of a surface, and numbers of edges for which a harmonic map may fail. These
-/// weights are the string constants of \cite GuYau2002.
+/// Cotangent weights of a surface, called string constants in \cite GuYau2002. The numbers of edges
+/// with negative and with infinite weight are also computed. Negative weights can cause folds of a
+/// harmonic map. Infinite weights come from triangles of zero area, which are ignored.
 struct StringConstants
 {
-  EdgeWeights Strings; ///< cotangent weights; triangles of zero area are ignored
+  EdgeWeights Strings; ///< cotangent weights, without triangles of zero area
   /// Number of edges with negative weight: their opposite angles have a sum above pi
   Index NumberOfNegative = 0;
   Index NumberOfInfinite = 0; ///< number of edges of triangles with zero area
 };
 StringConstants harmonicStrings(const Points& points, const Triangles& triangles);
 
-/// Compute weights of vertices for means over a surface. The weight of a vertex is twice the area
-/// of its triangles. Let the area of a vertex be a third of the area of its triangles. Then the
-/// weight is six times the area of the vertex. If the surface has no area, all weights are 1.
+/// Compute weights of vertices for means over a surface. The weight of a vertex is twice the total
+/// area of its triangles. To get the area of a vertex, a third of the total area of its triangles,
+/// divide the weight by 6. If the surface has no area, all weights are 1.
 Eigen::VectorXd vertexAreas(const Points& points, const Triangles& triangles);
 
 /// Compute the string energy: half the sum over all edges of the edge's weight times its squared

@@ -14,8 +14,8 @@ namespace conformal
 {
 /// Compute the values at the free vertices from the values at all other vertices. In the result,
 /// each free vertex has the weighted mean of the values of its neighbors. The equations are solved
-/// by Eigen's sparse Cholesky factorization. For 20,000 free vertices or more, MultifrontalCholesky
-/// is used instead, which is faster and uses several threads.
+/// by Eigen's sparse Cholesky factorization. For 20,000 free vertices or more, the class
+/// MultifrontalCholesky is used instead. MultifrontalCholesky is faster and uses several threads.
 /// @param[in] places      #V by 3 positions of the vertices. Positions determine only the sequence
 ///   in which unknowns are eliminated.
 /// @param[in] free        ids of the free vertices, each once

@@ -12,9 +12,10 @@
 namespace conformal
 {
 /// Elimination order of unknowns (the sequence in which a solver eliminates them), divided into
-/// parts, \cite George1973. Most parts are separators. A separator divides a set of unknowns into
-/// two halves that are not connected to each other. A separator follows both halves in the
-/// elimination order. Parts that are not divided further are called leaves.
+/// parts, \cite George1973. A set of unknowns is divided recursively into two halves and a
+/// separator. The halves are not connected to each other. The separator follows both halves in the
+/// elimination order. Each separator is a part. Each small set that is not divided further is also
+/// a part, called a leaf.
 struct NestedDissection
 {
   struct Part
@@ -33,8 +34,8 @@ struct NestedDissection
 
 /// Compute an elimination order by recursive bisection. A set of unknowns is divided at the median
 /// position along the longest side of its bounding box. The separator consists of all unknowns in
-/// one half that have neighbors in the other half. If there are none, as between pieces that are
-/// not connected, the separator is one unknown.
+/// one half that have neighbors in the other half. If both halves are not connected, the separator
+/// is a single unknown.
 /// @param[in] graph   neighbors of each unknown: a symmetric relation; no unknown is its own
 ///   neighbor
 /// @param[in] places  position of each unknown in space

@@ -1,5 +1,5 @@
-/// Solve (A + lambda K) x = b for many numbers lambda with one factorization, by the method of
-/// \cite Lanczos1950.
+/// Solve (A + lambda K) x = b for given symmetric matrices A and K and many numbers lambda. One
+/// factorization is sufficient, by the method of \cite Lanczos1950.
 
 #ifndef ConformalShiftedSystem_h
 #define ConformalShiftedSystem_h
@@ -18,7 +18,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>; ///< by columns
 
 /// Factor a symmetric, positive definite matrix whose unknowns belong to the vertices of a mesh.
 /// @param[in] places  position of each unknown, which determines only the elimination order
-/// @param[in] rings  number of rings of neighbors that the matrix couples to a vertex
+/// @param[in] rings  number of rings of neighbors that the matrix couples to a vertex; 1 for direct
+///   neighbors
 /// @throws NumericalFailure if the constructor of MultifrontalCholesky throws it
 MultifrontalCholesky factorize(
   const SparseMatrix& matrix, const Points& places, int rings, const Run& run = {});
@@ -27,8 +28,8 @@ MultifrontalCholesky factorize(
 /// Solutions are accurate if lambda / c is between about 1/30 and 30.
 ///
 /// Let B = A + c K. For each lambda, the solution is approximated in the Krylov space of the matrix
-/// B^-1 A and the vector B^-1 b. This space is the same for all lambda. A few steps of the Lanczos
-/// method, which solve with the factor of B, therefore serve every lambda.
+/// B^-1 A and the vector B^-1 b. This space is the same for all lambda. The space is computed by a
+/// few steps of the Lanczos method. Each step solves one system of equations with the factor of B.
 class ShiftedSystem
 {
 public:
@@ -44,8 +45,8 @@ public:
   /// Return the solution x for one column of the right-hand sides.
   Eigen::VectorXd solution(Index column, double lambda) const;
 
-  /// Return the inner product of b and x. The product is a Gauss quadrature, and is more accurate
-  /// than x.
+  /// Return the inner product of b and x. The product is computed by a Gauss quadrature. Therefore,
+  /// the product is more accurate than x.
   double product(Index column, double lambda) const;
 
 private:

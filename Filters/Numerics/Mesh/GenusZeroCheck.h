@@ -83,7 +83,8 @@ double surfaceArea(const PointView& points, const Triangles& triangles);
 
 /// Weld points of boundary edges: among points with equal coordinates, use only the point with the
 /// smallest id. A file that stores three separate points for each triangle needs this step. Points
-/// that are on no boundary edge are not welded. Closed surfaces that only touch thus stay separate.
+/// that are on no boundary edge are not welded. Closed surfaces that touch each other thus stay
+/// separate.
 ///
 /// @param[in,out] triangles  triangles in which the ids of welded points are replaced; no triangle
 ///   is dropped
@@ -96,9 +97,8 @@ Index mergeCoincidentBoundaryPoints(
 Index dropRepeatedVertices(Triangles& triangles);
 
 /// Reverse triangles until any two neighboring triangles contain their common edge in opposite
-/// directions. In a connected set of triangles, those of one orientation form one part, all others
-/// a second part. The part with fewer triangles is reversed. If both parts have equally many
-/// triangles, the part with the first triangle of the set is kept.
+/// directions. In each connected set of triangles, the less frequent orientation is reversed. If
+/// both orientations are equally frequent, the orientation of the set's first triangle is kept.
 /// @pre the surface is orientable; otherwise some edges stay inconsistent
 /// @return number of triangles reversed
 Index orientConsistently(Triangles& triangles);

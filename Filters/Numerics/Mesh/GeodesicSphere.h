@@ -40,8 +40,9 @@ bool hasGeodesicConnectivity(const Triangles& triangles, Index numberOfVertices)
 
 /// Test whether a mesh on the sphere is a geodesic sphere. The mesh must have the connectivity of a
 /// geodesic sphere. The area of its largest triangle must be at most 4 times the area of its
-/// smallest. Geodesic spheres made by makeGeodesicSphere() have a ratio below 2. The limit excludes
-/// other surfaces of this connectivity that were mapped to the sphere with more distortion.
+/// smallest. On spheres made by makeGeodesicSphere(), the ratio of these areas is below 2. The
+/// limit 4 excludes other surfaces of this connectivity that were mapped to the sphere with more
+/// distortion.
 /// @param[in] positions  #V by 3 unit vectors
 bool isGeodesicSphere(const Points& positions, const Triangles& triangles);
 }

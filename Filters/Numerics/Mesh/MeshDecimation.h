@@ -1,5 +1,6 @@
-/// Decimate a closed surface of genus zero. Vertices whose removal changes the shape least (minimum
-/// quadric error) are removed first, \cite Garland1997.
+/// Decimate a closed surface of genus zero. Vertices whose removal changes the shape least are
+/// removed first, \cite Garland1997. The change is measured by the quadric error, a sum of squared
+/// distances from planes of triangles.
 
 #ifndef ConformalMeshDecimation_h
 #define ConformalMeshDecimation_h
@@ -11,15 +12,15 @@
 
 namespace conformal
 {
-/// Decimated mesh. Its vertices are #W of the input points, in the sequence of the input. The mesh
-/// has 2 (#W - 2) triangles.
+/// Decimated mesh. The vertices are some of the input points, in the sequence of the input. A mesh
+/// of #W vertices has 2 (#W - 2) triangles.
 struct DecimatedMesh : Mesh
 {
   std::vector<int> PointIds; ///< #W values: id of the input point at each vertex
 };
 
 /// Remove vertices of a closed surface of genus zero by half-edge collapses, which merge a vertex
-/// into a neighbor. See QuadricCollapse. The topology does not change.
+/// into a neighbor. The class QuadricCollapse selects the collapses. The topology does not change.
 ///
 /// @param[in] mesh              mesh to decimate; finite and consistently oriented. Points without
 ///   triangles are dropped.

@@ -45,8 +45,8 @@ Triangles triangleNeighbors(
 Triangles triangleNeighbors(
   const Triangles& triangles, const Adjacency& around, const Run& run = {});
 
-/// Count the directed edges of triangles whose opposite direction occurs in no other triangle. The
-/// result is 0 for a closed, consistently oriented mesh.
+/// Count the directed edges (three per triangle) whose opposite direction occurs in no other
+/// triangle. The result is 0 for a closed, consistently oriented mesh.
 Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
 /// Function that calls `visit` with each neighbor of a vertex.

@@ -18,7 +18,9 @@ namespace conformal
 /// Tetrahedron, and the sequence of vertex splits that restores a mesh from the tetrahedron.
 struct ProgressiveMesh
 {
-  VertexRings Rings; ///< connectivity of the tetrahedron; for takeOut(), of the remaining mesh
+  /// Connectivity after all removals: of a tetrahedron or, in a result of takeOut(), of the
+  /// remaining mesh
+  VertexRings Rings;
   /// Arguments of VertexRings::split() for each split, in the sequence of the splits
   std::vector<QuadricCollapse::Collapse> Splits;
 };
@@ -40,8 +42,8 @@ ProgressiveMesh makeProgressiveMesh(
 /// edge.
 /// @param[in] vertices  ids of the vertices to remove. A vertex stays if each of its collapses
 ///   would change the topology.
-/// @param[in] maximum   maximum number of vertices to remove; at most the number of vertices of all
-///   triangles, minus 4
+/// @param[in] maximum   maximum number of vertices to remove. At least four vertices of triangles
+///   must remain.
 /// @return connectivity of the remaining mesh, and the splits that restore the removed vertices
 ProgressiveMesh takeOut(
   VertexRings rings, std::vector<int> vertices, Index maximum, const Run& run = {});

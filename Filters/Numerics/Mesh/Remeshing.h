@@ -20,8 +20,8 @@ struct RemeshingOptions
 };
 
 /// Remesh a closed surface so that edges have about equal lengths, \cite Botsch2004. The target
-/// length of edges is that of a mesh of equilateral triangles with equal area and the target number
-/// of vertices. Each iteration has these steps:
+/// length is the edge length of a mesh of equilateral triangles with the area of the surface and
+/// the target number of vertices. Each iteration has these steps:
 /// - Split edges longer than 4/3 of the target length, the longest first.
 /// - Collapse edges shorter than 4/5 of the target length, the shortest first.
 /// - Flip an edge if the vertices of its two triangles then have numbers of neighbors closer to
@@ -29,10 +29,10 @@ struct RemeshingOptions
 /// - Move each vertex along the surface toward the centroid of its triangles.
 ///
 /// No step changes the topology. No step makes a needle (very thin triangle) or rotates the normal
-/// of a triangle by 60 degrees or more. Under these conditions, a strongly folded surface may keep
-/// too many vertices. If MeetNumber is true, further collapses are made without these conditions.
-/// Vertices are not projected back to the input surface. The caller should therefore fit the result
-/// to the original data (surface or points) again.
+/// of a triangle by 60 degrees or more. Because of these conditions, a strongly folded surface
+/// possibly keeps too many vertices. If MeetNumber is true, further collapses are made without
+/// these conditions. Vertices are not projected back to the input surface. The caller should
+/// therefore fit the result to the original data (surface or points) again.
 ///
 /// Implementation note: the splits, collapses and flips are made in rounds. Each round first lists
 /// the possible operations, on all threads. The operations are then applied serially. Collapses

@@ -1,5 +1,5 @@
-/// Cut each triangle of a closed mesh into smaller triangles of the same shape. New points on edges
-/// are numbered before all points inside triangles, which is our own construction. Ids thus do not
+/// Cut each triangle of a closed mesh into smaller triangles of the same shape. The numbering is
+/// our own construction: new points on edges precede all points inside triangles. Ids thus do not
 /// depend on the sequence in which triangles are cut.
 
 #ifndef ConformalTriangleSubdivision_h
@@ -15,7 +15,7 @@ namespace conformal
 ///
 /// The #V old vertices come first, with unchanged ids. The k - 1 points on each edge follow,
 /// starting near the end of the edge with the lower vertex id. The points inside the triangles come
-/// last. The pieces of triangle r have the ids r k^2 to (r + 1) k^2 - 1.
+/// last. Triangle r is cut into the new triangles r k^2 to (r + 1) k^2 - 1.
 ///
 /// @param[in] mesh          closed manifold, consistently oriented
 /// @param[in] subdivisions  number k of segments per edge, at least 1

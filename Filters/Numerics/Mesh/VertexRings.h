@@ -27,8 +27,8 @@ public:
   Index size() const { return static_cast<Index>(this->Rings.size()); }
 
   /// Test whether the mesh stays a closed manifold of the same genus if v collapses into (merges
-  /// with) its neighbor u. This is true if v and u have exactly two common neighbors, the vertices
-  /// opposite their common edge.
+  /// with) its neighbor u. The result is true if v and u have exactly two common neighbors, the
+  /// vertices opposite their common edge.
   /// @pre more than four vertices are in use
   bool canCollapse(int v, int u) const;
 

@@ -27,9 +27,10 @@ struct Neighbor
 /// K-d tree that finds the exact nearest points of a fixed point cloud.
 ///
 /// The tree is stored as a permutation of the points. Each node is a range of the permuted points.
-/// The middle point of a range splits its other points into two smaller ranges. Memory is 32 bytes
-/// per point, and at most one byte per four points for the axes of the splits. The cost of a query
-/// is about logarithmic in the number of points. Several threads may query concurrently.
+/// The middle point of a range splits the other points of the range into two smaller ranges. The
+/// points need 32 bytes each. The axes of the splits need at most one byte per four points. The
+/// cost of a query is about logarithmic in the number of points. Several threads may query
+/// concurrently.
 class PointTree
 {
 public:

@@ -41,8 +41,8 @@ public:
   /// @throws Aborted
   TriangleTree(const Points& positions, const Triangles& triangles, const Run& run = {});
 
-  /// Update the bounding boxes after vertices moved, in O(#F) operations. Pass the triangles from
-  /// which the tree was built.
+  /// After vertices moved, update the bounding boxes of the tree, in O(#F) operations. Pass the
+  /// triangles from which the tree was built.
   void refit(const Points& positions, const Triangles& triangles, const Run& run = {});
 
   /// Find the point of the mesh closest to x. If several triangles have the minimum distance, the

@@ -48,19 +48,20 @@ enum class SeamMode
 /// to b'. Let o(x) = x / (1 - x) be the ratio in which x divides an edge. The slide replaces b by
 ///     (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
 ///
-/// A slide does not move the points of the two other edges. The slide is smooth there, because b'
-/// is strictly between 0 and 1 inside these edges. The new position increases strictly with b,
+/// A slide does not move the points of the two other edges. On these edges, the slide is smooth,
+/// because b' is strictly between 0 and 1 inside them. The new position increases strictly with b,
 /// since o(e(t)) increases, and o(b) / o(b') does not decrease. The slide is thus one-to-one on
 /// every line parallel to its edge. On the edge, S = 1 and d = 0, so that t is mapped to e(t). The
 /// composition of the conformal map and the slides is a homeomorphism for triangles of any shape.
-/// No iteration over the mesh is necessary. To invert the map, three monotone equations are solved,
-/// each in one unknown.
+/// No iteration over the mesh is necessary. To invert the slides, three monotone equations are
+/// solved, each in one unknown.
 ///
 /// Implementation note: conformal maps move most points of a needle (very thin triangle) into one
 /// corner. In mode EdgeMatched, some triangles therefore have an affine map instead of the
 /// conformal map, followed by the slides. The dilatation of an affine map is its largest singular
 /// value divided by its smallest. The affine map is used if its dilatation from network to model is
-/// above 1.5. In both modes, degenerate triangles are mapped affinely.
+/// above 1.5. In measurements, a larger limit concentrated points in corners. In both modes,
+/// degenerate triangles are mapped affinely.
 class FlatMap
 {
 public:
@@ -110,8 +111,8 @@ private:
   std::vector<std::array<unsigned char, 3>> Order;
 };
 
-/// Map of one triangle. Coefficients of power series are computed once, and reused for all further
-/// points. Only one thread at a time may use this object.
+/// Map of one triangle. The coefficients of the power series of the conformal map are computed
+/// once, and reused for all further points. Only one thread at a time may use this object.
 class FlatMap::Triangle
 {
 public:
@@ -125,10 +126,11 @@ public:
 
   /// Map a point from the network to the model.
   /// @param[in]  barycentric  barycentric coordinates of p', >= 0, with the sum 1
-  /// @param[out] derivative   may be null. Column k is the partial derivative with respect to
-  ///   barycentric coordinate k. Multiply the matrix only by changes of the three coordinates whose
-  ///   sum is 0. On an edge, the derivative is that of this triangle's map, not of its neighbor's.
-  ///   At a corner, where no derivative exists, the derivative at a nearby point is returned.
+  /// @param[out] derivative   derivative of the returned point; may be null. Column k is the
+  ///   partial derivative with respect to barycentric coordinate k. Multiply the matrix only by
+  ///   changes of the three coordinates whose sum is 0. On an edge, the map of this triangle is
+  ///   differentiated, not the map of its neighbor. At a corner, where no derivative exists, the
+  ///   derivative at a nearby point is returned.
   /// @post in mode EdgeMatched, both triangles of an edge map a point of the edge to positions with
   ///   equal bits
   Vector3 toModel(const Vector3& barycentric, Eigen::Matrix3d* derivative = nullptr);

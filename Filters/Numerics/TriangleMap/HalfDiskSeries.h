@@ -1,7 +1,8 @@
-/// Evaluate the conformal map of a triangle near a corner by power series. The map is defined on a
-/// half disk with the coordinate s, see the beginning of SchwarzChristoffel.h. The integrand of
-/// \cite Liou2008 Eqs. 4 and 5 is expanded in powers of s, at the image s = 0 of the corner. The
-/// series is our own construction: it converges for triangles of any shape.
+/// Evaluate the conformal map of a triangle near a corner by power series. The map is defined on
+/// the upper half of the unit disk. The complex coordinate s of this half disk is defined at the
+/// beginning of SchwarzChristoffel.h. The integrand of \cite Liou2008 Eqs. 4 and 5 is expanded in
+/// powers of s, at the image s = 0 of the corner. The series is our own construction: it converges
+/// for triangles of any shape.
 
 #ifndef ConformalHalfDiskSeries_h
 #define ConformalHalfDiskSeries_h
@@ -61,8 +62,8 @@ inline Complex over(const Complex& a, const Complex& b)
 }
 
 /// Return the number of terms that a power series in s needs for full precision. The argument logS
-/// is log |s|. The number is even. The coefficients of the series are assumed to have magnitudes
-/// near 1.
+/// is log |s|. The returned number is even. The coefficients of the series are assumed to have
+/// magnitudes near 1.
 inline int termsFor(double logS)
 {
   return logS > LogEpsilon / MaximumTerms ? MaximumTerms
@@ -151,8 +152,8 @@ public:
   /// W = (1 + sum)^(1/a) s, with the sum over n > 0 in the comment of this class. The approximation
   /// is W(s) = s / (1 - g s + q s^2). The constants g and q are chosen so that the approximation is
   /// exact up to s^3. The approximation is also exact for the extremal univalent functions (the
-  /// most distorted one-to-one maps). Therefore, the approximation is accurate for triangles of any
-  /// shape.
+  /// most distorted one-to-one maps). Since all other maps are less distorted, the approximation is
+  /// accurate for triangles of any shape.
   Complex guess(const Complex& logUniform)
   {
     const auto [g, q] = this->leading();
@@ -162,8 +163,8 @@ public:
     return logUniform + log1p(ratio - 1.0);
   }
 
-  /// Approximate s for a given real number W, positive or negative. The formula is that of guess()
-  /// for complex numbers.
+  /// Approximate s for a given real number W, positive or negative. The formula is the same as in
+  /// guess() for complex numbers.
   double guess(double w)
   {
     const auto [g, q] = this->leading();

@@ -14,12 +14,12 @@
 
 namespace conformal
 {
-/// Conformal maps of all triangles of a network. Triangles with equal angles have one shape. They
-/// share tables of precomputed series coefficients of the conformal map.
+/// Conformal maps of all triangles of a network. Triangles with equal angles have the same shape. A
+/// table contains precomputed series coefficients of the conformal map of one shape.
 ///
-/// A geodesic sphere of frequency 36 has 25,920 triangles but only 156 shapes (312 if mirror images
-/// are counted separately). Tables are made only for shapes that many triangles have. A mesh
-/// without symmetry thus needs little memory.
+/// A geodesic sphere of frequency 36 (icosahedron with 36 segments per edge) has 25,920 triangles
+/// but only 156 shapes (312 if mirror images are counted separately). Tables are made only for
+/// shapes that many triangles have. A mesh without symmetry thus needs little memory.
 class NetworkShapes
 {
 public:
@@ -38,8 +38,9 @@ public:
   Vector3 toModel(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
 
   /// Map a point of a model triangle to a point of a network triangle: the inverse of toModel().
-  /// The map is z' = f_2(f_1^-1(z)), the formula below Eq. 5 of \cite Liou2008. There, f_1 maps the
-  /// unit disk to the model triangle, and f_2 maps it to the network triangle.
+  /// The map is z' = f_2(f_1^-1(z)), the formula below Eq. 5 of \cite Liou2008. In this formula,
+  /// f_1 maps the unit disk to the model triangle, and f_2 maps the unit disk to the network
+  /// triangle.
   Vector3 toNetwork(Index triangle, const TriangleShape& model, const Vector3& barycentric) const;
 
   bool degenerate(Index triangle) const

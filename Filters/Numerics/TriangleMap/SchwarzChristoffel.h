@@ -7,17 +7,17 @@
 /// chosen.
 ///
 /// Implementation note: \cite Liou2008 uses maps to the whole unit disk. On the border of the disk,
-/// the images of the corners may be chosen freely. This file uses the upper half of the unit disk
+/// the images of the corners can be chosen freely. This file uses the upper half of the unit disk
 /// instead. The whole disk has a conformal map to this half disk. Let s be the complex coordinate
 /// of the half disk: |s| <= 1, Im s >= 0. One corner of the triangle is mapped to s = 0, the next
 /// corner to 1, the previous corner to -1. The edge opposite the corner at 0 is mapped to the half
 /// circle. Let a, b and c be the angles of these three corners, in units of pi. Let z be the
 /// complex coordinate in the plane of the triangle. Eqs. 4 and 5 then become
 ///     dz/ds = k 4^a s^(a-1) (1-s)^(2b-1) (1+s)^(2c-1),   k = pi D / (Gamma(a) Gamma(b) Gamma(c)),
-/// where D is the diameter of the circumcircle. A factor 1 + s^2 cancels, since a + b + c = 1. The
-/// formula has no unknown parameters, and all coefficients are real. For every point, at least one
-/// choice of the corner at 0 gives |s| <= 2 - sqrt(3). Then 30 terms of a power series in s give
-/// full double precision for any shape of the triangle.
+/// where D is the diameter of the circumcircle. A factor 1 + s^2 cancels, since a + b + c = 1. All
+/// parameters of the formula are known real numbers. For every point, at least one choice of the
+/// corner at 0 gives |s| <= 2 - sqrt(3). For this choice, 30 terms of a power series in s give full
+/// double precision for any shape of the triangle.
 
 #ifndef ConformalSchwarzChristoffel_h
 #define ConformalSchwarzChristoffel_h
@@ -92,7 +92,7 @@ private:
   friend class TriangleMap;
 
   /// Return the matrix that maps the barycentric coordinates of the next and the previous corner to
-  /// a position in a plane. The plane is that of derivative().
+  /// a position in a plane. The comment of derivative() defines the plane.
   Eigen::Matrix2d plane(int corner) const;
 
   double leading(int corner) const { return this->Scale / this->Angles[corner]; }

@@ -1,5 +1,6 @@
 /// Map many points of one triangle conformally, \cite Liou2008 Eqs. 4 and 5. Triangles are mapped
-/// to a half disk with the complex coordinate s, defined at the beginning of SchwarzChristoffel.h.
+/// to the upper half of the unit disk. The complex coordinate s of this half disk is defined at the
+/// beginning of SchwarzChristoffel.h.
 
 #ifndef ConformalTriangleMap_h
 #define ConformalTriangleMap_h
@@ -24,8 +25,8 @@ struct CornerTable
 };
 using ShapeTable = std::array<CornerTable, 3>;
 
-/// Position on an edge: the two barycentric coordinates of the ends of the edge, each to full
-/// precision. The sum of both coordinates is 1.
+/// Position on an edge: the barycentric coordinates that belong to the two ends of the edge, each
+/// to full precision. The two coordinates have the sum 1.
 struct EdgeShares
 {
   double First = 0.0, Second = 0.0;
@@ -58,7 +59,8 @@ public:
   /// @param[in] rotation  corner k of the table is corner k + rotation (mod 3) of the triangle
   TriangleMap(const TriangleShape& shape, const ShapeTable* table, int rotation);
 
-  /// Compute the table of a shape. The cost is about that of mapping a few points without a table.
+  /// Compute the table of a shape. Computing a table costs about as much as mapping a few points
+  /// without a table.
   static ShapeTable makeTable(const TriangleShape& shape);
 
   const TriangleShape& shape() const { return this->Shape; }
