@@ -61,18 +61,18 @@ struct FloatRounding
   }
 
   /// Test whether rounding changes a coordinate by more than the limit, ToleratedShift times
-  /// size(). If not, two points remain distinct if one of their coordinates differs by more than
-  /// twice the limit. If all points coincide, the result is false.
+  /// size(). If all points coincide, the result is false. If the result is false, rounding cannot
+  /// make two points equal whose distance along an axis exceeds twice the limit.
   bool isTooCoarse() const
   {
     return this->size() > 0.0 && this->MaximumShift > ToleratedShift * this->size();
   }
 
-  /// Maximum tolerated change of a coordinate, relative to the size of the surface. Own
-  /// construction: the limit detects surfaces far from the origin, since rounding changes large
-  /// coordinates more. If the center of the surface is the origin, rounding changes coordinates by
-  /// at most 3e-8 of the size. If the distance from the origin is about 200 times the size, the
-  /// change reaches the limit.
+  /// Maximum tolerated change of a coordinate, relative to the size of the surface (the diagonal of
+  /// its bounding box). Own construction: the limit detects surfaces far from the origin, since
+  /// rounding changes large coordinates more. If the center of the surface is the origin, rounding
+  /// changes coordinates by at most 3e-8 of the size. The change reaches the limit if the distance
+  /// of the surface from the origin is about 200 times the size.
   static constexpr double ToleratedShift = 1e-5;
 };
 

@@ -87,7 +87,9 @@ private:
   {
     const char Letter;
     std::uint64_t Offset = 0; ///< offset in the input
-    bool IsFound = false;     ///< true: found at Offset; false: not before Offset
+    /// If true, the character is at Offset. If false, the input before Offset has been searched and
+    /// does not contain the character.
+    bool IsFound = false;
 
     // Return the position of the character in a window of the input that begins at the offset
     // `begin`. If the window does not contain the character, return the size of the window.
