@@ -19,8 +19,8 @@ namespace conformal
 /// - The largest magnitude is above 0 but below 1.2e-38. Floats of this size have few digits, or
 ///   are 0.
 ///
-/// A small coordinate is accepted if another coordinate is at least 1.2e-38. Floats may then round
-/// the small coordinate to 0.
+/// A small coordinate is accepted if the magnitude of another coordinate is at least 1.2e-38.
+/// Floats may then round the small coordinate to 0.
 ///
 /// @param[in] count       number of coordinates
 /// @param[in] coordinate  function that returns the coordinate of an index below `count`

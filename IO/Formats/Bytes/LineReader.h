@@ -71,7 +71,7 @@ public:
     this->Passed = 0;
   }
 
-  /// Throw an error that the current line is not as expected.
+  /// Throw an error for the current line, whose text is not the expected text.
   /// @throws ParseError with a message that quotes the line
   [[noreturn]] void failExpecting(const std::string& expected) const
   {
