@@ -13,9 +13,10 @@
 
 namespace conformal
 {
-/// Reader of an input through a window, the piece of the input that is in memory. A small window
-/// stays in the cache of the processor during parsing. If another process truncates the file during
-/// reading, the reader does not crash. The input then ends at the new end of the file.
+/// Reader of an input, a file or bytes in memory. The reader accesses the input through a window,
+/// the piece of a file that is in memory. A small window stays in the cache of the processor during
+/// parsing. If another process truncates the file during reading, the reader does not crash. The
+/// input then ends at the new end of the file.
 class ByteReader
 {
 public:
@@ -49,8 +50,9 @@ public:
   /// Advance by a number of bytes that peek() has returned.
   void advance(std::size_t count) { this->Begin += count; }
 
-  /// Advance by any number of bytes. After beginBinary(), the reader calls the function Seek, if
-  /// there is one. Otherwise, the bytes are read and discarded.
+  /// Advance by any number of bytes. If the constructor got a function Seek and beginBinary() was
+  /// called, the reader uses Seek. Without Seek, or before beginBinary(), the reader reads the
+  /// bytes and discards them.
   /// @return false if the input ends before these bytes
   bool skip(std::uint64_t count);
 

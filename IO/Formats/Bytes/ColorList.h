@@ -35,8 +35,8 @@ public:
   /// Test whether the list contains a color that is not missing.
   bool hasAny() const { return this->HasAny; }
 
-  /// Return the array of all colors (UInt8). If a color has 4 numbers, the array is named "RGBA",
-  /// otherwise "RGB".
+  /// Return the array of all colors (UInt8). The array is named "RGBA" if at least one color has 4
+  /// numbers, and "RGB" if all have 3.
   NamedArray take();
 
 private:

@@ -66,9 +66,9 @@ private:
   bool Swap;
 };
 
-/// Read numbers that are stored as text, separated by blanks or line ends. A record, the numbers of
-/// one point or polygon, must end at the end of a line. If `hasRemarks` is true, the text may have
-/// comments, from "#" to the end of the line.
+/// Read numbers that are stored as text, separated by blanks or line ends. A record is all numbers
+/// of one point or polygon. Each record must end at the end of a line. If `hasRemarks` is true, the
+/// text may have comments, from "#" to the end of the line.
 class TextValues
 {
 public:

@@ -19,8 +19,8 @@ namespace conformal
 /// - The largest magnitude is above 0 but below 1.2e-38. Floats of this size have few digits, or
 ///   are 0.
 ///
-/// A small coordinate is accepted if another coordinate is at least 1.2e-38. Floats may then round
-/// the small coordinate to 0.
+/// A small coordinate is accepted if the magnitude of another coordinate is at least 1.2e-38.
+/// Floats may then round the small coordinate to 0.
 ///
 /// @param[in] count       number of coordinates
 /// @param[in] coordinate  function that returns the coordinate of an index below `count`
@@ -61,18 +61,18 @@ struct FloatRounding
   }
 
   /// Test whether rounding changes a coordinate by more than the limit, ToleratedShift times
-  /// size(). If not, two points remain distinct if one of their coordinates differs by more than
-  /// twice the limit. If all points coincide, the result is false.
+  /// size(). If all points coincide, the result is false. If the result is false, rounding cannot
+  /// make two points equal whose distance along an axis exceeds twice the limit.
   bool isTooCoarse() const
   {
     return this->size() > 0.0 && this->MaximumShift > ToleratedShift * this->size();
   }
 
-  /// Maximum tolerated change of a coordinate, relative to the size of the surface. Own
-  /// construction: the limit detects surfaces far from the origin, since rounding changes large
-  /// coordinates more. If the center of the surface is the origin, rounding changes coordinates by
-  /// at most 3e-8 of the size. If the distance from the origin is about 200 times the size, the
-  /// change reaches the limit.
+  /// Maximum tolerated change of a coordinate, relative to the size of the surface (the diagonal of
+  /// its bounding box). Own construction: the limit detects surfaces far from the origin, since
+  /// rounding changes large coordinates more. If the center of the surface is the origin, rounding
+  /// changes coordinates by at most 3e-8 of the size. The change reaches the limit if the distance
+  /// of the surface from the origin is about 200 times the size.
   static constexpr double ToleratedShift = 1e-5;
 };
 

@@ -71,7 +71,7 @@ public:
     this->Passed = 0;
   }
 
-  /// Throw an error that the current line is not as expected.
+  /// Throw an error for the current line, whose text is not the expected text.
   /// @throws ParseError with a message that quotes the line
   [[noreturn]] void failExpecting(const std::string& expected) const
   {
@@ -87,7 +87,9 @@ private:
   {
     const char Letter;
     std::uint64_t Offset = 0; ///< offset in the input
-    bool IsFound = false;     ///< true: found at Offset; false: not before Offset
+    /// If true, the character is at Offset. If false, the input before Offset has been searched and
+    /// does not contain the character.
+    bool IsFound = false;
 
     // Return the position of the character in a window of the input that begins at the offset
     // `begin`. If the window does not contain the character, return the size of the window.

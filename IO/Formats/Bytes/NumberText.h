@@ -25,9 +25,9 @@ inline bool isRemark(std::string_view text)
   return !text.empty() && text[0] == '#';
 }
 
-/// Test whether the magnitude of a number is below the range of the type T. If not, the magnitude
-/// is above the range. readNumber() reads a number below the range as 0, and rejects a number above
-/// the range.
+/// Test whether a number outside of the range of the type T is too close to 0 for T. If the result
+/// is true, readNumber() reads the number as 0. If the result is false, the magnitude of the number
+/// is too large for T. readNumber() then rejects the number.
 /// @pre the text is a number outside of the range of T
 template <typename T>
 bool isUnderflow(std::string_view text)
@@ -37,13 +37,13 @@ bool isUnderflow(std::string_view text)
       text.substr(text.find_first_not_of("+-0"), 1) == ".");
 }
 
-/// Read a decimal number without exponent, rounded only once. The result is an integer, made of all
-/// digits, divided by a power of ten. If T represents the integer and the power exactly, the
-/// quotient is the nearest T (W. D. Clinger, How to read floating point numbers accurately, 1990).
-/// This condition holds for nearly all numbers of a scan. std::from_chars, which reads all other
-/// numbers, is three times slower.
-/// @return the end of the number. Null if the text is not a number, has too many digits, or has an
-///   exponent
+/// Read a decimal number without exponent, rounded only once. The value is an integer, made of all
+/// digits, divided by a power of ten. For example, 12.5 is 125 / 10. If T represents the integer
+/// and the power exactly, the quotient is the nearest T (W. D. Clinger, How to read floating point
+/// numbers accurately, 1990). This condition holds for nearly all numbers of a scan.
+/// std::from_chars, which reads all other numbers, is three times slower.
+/// @return pointer to the end of the number; null if the text is not a number, has too many digits,
+///   or has an exponent
 template <typename T>
 const char* readShortDecimal(const char* begin, const char* end, T& value)
 {

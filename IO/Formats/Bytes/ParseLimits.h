@@ -14,7 +14,7 @@ namespace conformal
 {
 /// Maximum length of a line, a sequence of blanks, a comment or a tag [bytes]. A longer text is an
 /// error. The limit is sufficient for a line with a polygon of a million corners. Because of this
-/// limit, a file without line ends is never in memory as a whole.
+/// limit, a large file without line ends is not read into memory as a whole.
 constexpr std::size_t LongestLine = std::size_t(16) << 20;
 
 /// Return the error message for text that is longer than LongestLine.
@@ -34,9 +34,10 @@ struct ParseLimits
   /// minimumRecordBytes for each record. The memory for all records must not exceed MaximumMemory.
   ///
   /// The error has one of these codes:
-  /// - Malformed: in the file, the records would need more than 1 GiB, and more than 1000 times the
-  ///   rest of the input.
-  /// - PrematureEnd: the rest of the input is too short in any other case, as in truncated files.
+  /// - Malformed: the size of the records in the file would exceed 1 GiB. It would also exceed 1000
+  ///   times the rest of the input.
+  /// - PrematureEnd: the rest of the input is too short, but the code is not Malformed. The file is
+  ///   probably truncated.
   /// - OutOfMemory: the memory would exceed MaximumMemory.
   ///
   /// @param[in] what                name of the records, for the error message

@@ -35,9 +35,9 @@ public:
     this->Begin = data.PolygonIds.size();
   }
 
-  /// Reserve memory for `count` polygons, and for the ids of `count` triangles. Each id needs at
-  /// least one byte of the input. The number of reserved ids is therefore at most the number of
-  /// remaining bytes.
+  /// Reserve memory for `count` polygons, and for the ids of `count` triangles. The number of
+  /// reserved ids does not exceed the number of remaining bytes of the input, since each id needs
+  /// at least one byte.
   void reserve(std::size_t count)
   {
     this->Data.PolygonOffsets.reserve(this->Data.PolygonOffsets.size() + count);

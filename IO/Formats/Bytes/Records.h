@@ -38,9 +38,11 @@ struct KnownFields
 /// "Normals". Writers use the first list of an array.
 const std::vector<KnownFields>& knownFields();
 
-/// Arrays that are filled from records. Fields of one type form one array in two cases:
-/// - The names of the fields are a list of knownFields().
-/// - The fields are adjacent, and their names are equal, or NAME_0, NAME_1 and so on.
+/// Arrays that are filled from records. Several fields form one array if all have the same type,
+/// and one of these conditions holds:
+/// - The names of the fields are one of the lists that knownFields() returns.
+/// - The fields are adjacent in the record, and have equal names, or the names NAME_0, NAME_1 and
+///   so on.
 ///
 /// Every other field has its own array. To discard a record, write the next record to the same
 /// index.
@@ -48,13 +50,14 @@ class Records
 {
 public:
   /// Assign the fields to arrays.
-  /// @param[in] hasPoints  whether x, y, z become the first array, "Points"
+  /// @param[in] hasPoints  whether the fields x, y and z become the first array, "Points"
   /// @throws std::invalid_argument if hasPoints is true, and x, y or z is missing or repeated
   Records(std::vector<RecordField> fields, bool hasPoints);
 
   void resize(std::size_t numberOfRecords);
 
-  /// Read a field of a record by BinaryValues or TextValues (FileValues.h).
+  /// Read one field of one record. The argument `values` reads binary data (BinaryValues) or text
+  /// (TextValues), see FileValues.h.
   template <typename Values>
   void read(Values& values, std::size_t field, std::size_t record)
   {
@@ -107,7 +110,7 @@ private:
     std::size_t Component = 0;
   };
 
-  // Range of bytes of a record that is also contiguous in a tuple of an array.
+  // Range of consecutive bytes of a record that are also consecutive in a tuple of an array.
   struct Run
   {
     std::size_t Array;
@@ -128,8 +131,8 @@ private:
   std::vector<RecordField> Fields;
   std::vector<Slot> Slots; ///< destination of each field
   std::vector<NamedArray> Arrays;
-  /// Index of the field with each name. The index is None if several fields or an array have the
-  /// name
+  /// Maps each name of a field or an array to the index of the field. The index is None if several
+  /// fields have the name, or if an array has it.
   std::map<std::string, std::size_t> Names;
   std::vector<Run> Runs;
   std::size_t RecordBytes = 0;

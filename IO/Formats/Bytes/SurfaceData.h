@@ -29,8 +29,9 @@ struct SurfaceData
   std::uint64_t DroppedPolygons = 0; ///< number of polygons omitted: under 3 ids, or a repeated id
   std::uint64_t ReplacedValues = 0;  ///< number of array values that were not finite, replaced by 0
   std::uint64_t SkippedLines = 0;    ///< number of lines omitted because they are not points
-  std::uint64_t UnreadBytes = 0;  ///< number of extra bytes after all data that the header declares
-  std::uint64_t MissingScans = 0; ///< number of scans that a .conf file lists, but do not exist
+  std::uint64_t UnreadBytes = 0; ///< number of extra bytes after all data that the header declares
+  /// Number of scans whose files do not exist, although a list of scans (.conf) contains them.
+  std::uint64_t MissingScans = 0;
 };
 
 struct SurfaceResult

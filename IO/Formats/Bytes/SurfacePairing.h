@@ -17,11 +17,11 @@ using ParseSurfaceFile = std::function<SurfaceResult(ByteReader&)>;
 
 /// Read a sphere file, and add its points to a surface as the array "SpherePosition" (Float64). A
 /// sphere file contains the mesh of the surface, with its points on a sphere around the origin. The
-/// number of points and the polygons must be those of the surface. The points of the sphere are
-/// scaled to unit length. An existing array "SpherePosition" is replaced.
+/// sphere file and the surface must have equal numbers of points, and equal polygons. The points of
+/// the sphere are scaled to unit length. An existing array "SpherePosition" is replaced.
 ///
 /// If the path is empty, or the status of the surface is an error, the function does nothing. If
-/// reading the sphere fails, the surface becomes empty and gets the status of the sphere.
+/// reading the sphere file fails, the surface becomes empty and gets the status of the sphere file.
 void addSphere(SurfaceResult& surface, const std::string& path, const ParseSurfaceFile& parse);
 
 /// Read a file of point arrays and append these arrays to a surface, with unique names. Each array

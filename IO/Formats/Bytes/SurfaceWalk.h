@@ -102,8 +102,8 @@ inline void appendTuple(std::string& text, const NamedArray& array, std::size_t 
   }
 }
 
-/// Append the bytes of a color as text, each divided by 255. The parsers of this library convert
-/// these fractions to the same bytes.
+/// Append a color as text. Each number of the color, a byte, is divided by 255 and follows a blank.
+/// The parsers of this library convert the fractions back to equal bytes.
 inline void appendColor(std::string& text, const NamedArray& colors, std::size_t tuple)
 {
   constexpr float whole = 255.0F;

@@ -39,9 +39,10 @@ std::string makeTemporaryName();
 /// are renamed to their final names only after all of them are written. If a file cannot be
 /// renamed, the old files are restored.
 ///
-/// Only regular files are replaced, and only with permission to write them. If a path is a symbolic
-/// link, the link is kept, and the file to which it points is replaced. The access rights of a
-/// replaced file are kept. The owner and group are also kept, as far as the system allows.
+/// Existing files are replaced only if they are regular files, and writing them is permitted. If a
+/// path is a symbolic link, the link is kept, and the file to which it points is replaced. The
+/// access rights of a replaced file are kept. The owner and group are also kept, as far as the
+/// system allows.
 /// @param[in] files     paths and contents of the files
 /// @param[in] makeName  function that returns names of temporary files; called again if a file with
 ///   the returned name exists

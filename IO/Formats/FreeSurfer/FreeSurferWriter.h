@@ -26,8 +26,8 @@ std::string makeFreeSurferSurface(const SurfaceData& surface, const Run& run = {
 /// @throws Aborted if the progress callback of `run` returns false
 std::string makeFreeSurferSphere(const SurfaceData& surface, const Run& run = {});
 
-/// Write values at points, an array of 1 component, as a FreeSurfer curv file in the new format,
-/// which stores floats.
+/// Write values at points as a FreeSurfer curv file. The array must have 1 component. The file has
+/// the new format of curv files, in which values are floats.
 /// @param[in] numberOfPolygons  number of polygons of the surface to which the values belong;
 ///   stored in the file
 /// @return the bytes of the file

@@ -18,7 +18,7 @@ namespace conformal
 struct GIFTIArray
 {
   std::string Intent; ///< intent of the array, without the prefix NIFTI_INTENT_
-  NamedArray Values;  ///< numbers of the array, named as in the metadata; the name may be empty
+  NamedArray Values;  ///< numbers of the array; the name is the metadata entry "Name", or empty
 };
 
 /// Test whether the first bytes of a file identify a GIFTI file.

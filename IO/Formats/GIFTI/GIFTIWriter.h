@@ -19,9 +19,9 @@ namespace conformal
 std::string makeGIFTISurface(
   const SurfaceData& surface, const std::string& structure = {}, const Run& run = {});
 
-/// Write a surface as a compressed GIFTI file with only the points, as floats, and the triangles.
-/// Some programs do not read surfaces with further arrays. The argument `structure` and the result
-/// are as for makeGIFTISurface().
+/// Write a surface as a compressed GIFTI file. The file contains the points, as floats, and the
+/// triangles, but no point arrays. Some programs cannot read surfaces with point arrays. The
+/// argument `structure` and the result are as for makeGIFTISurface().
 /// @throws std::invalid_argument as makeGIFTISurface(), or if floats cannot represent the points
 /// @throws Aborted if the progress callback of `run` returns false
 std::string makeGIFTIGeometry(

@@ -25,8 +25,8 @@ namespace conformal
 ///   scaled to unit length.
 ///
 /// If only some vertices have a trait, the other vertices have the value 0, or the color white.
-/// Trait sph must be at every vertex or at none. Trait rgb of faces becomes the polygon array
-/// "RGB". Other traits, and lines "Edge" and "Corner", are skipped.
+/// Trait sph must either be at every vertex, or at no vertex. Trait rgb of faces becomes the
+/// polygon array "RGB". Other traits, and lines "Edge" and "Corner", are skipped.
 SurfaceResult parseGuMesh(ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
 /// Test whether the first bytes of a file identify a mesh in this format. The first line that is

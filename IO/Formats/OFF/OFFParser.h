@@ -16,8 +16,8 @@ namespace conformal
 {
 /// Read an OFF file, text or binary. The file begins with the keyword [ST][C][N][4][n]OFF, where
 /// brackets enclose optional prefixes. In a binary file, the word BINARY follows. Then the numbers
-/// of points, faces and edges follow. In a text file, the keyword and the number of edges may be
-/// missing.
+/// of points, faces and edges follow. A text file is also accepted without the keyword or the
+/// number of edges.
 ///
 /// Points are Float64 in a text file and Float32 in a binary file. The prefixes have these
 /// meanings:

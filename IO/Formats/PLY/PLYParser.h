@@ -17,7 +17,7 @@ struct PLYOptions
   /// 4 times the median distance of adjacent points (RangeGrid.h)
   double MaximumEdgeLength = 0.0;
   /// Part of the points to read. Only a binary file without polygons, and without lists in its
-  /// element "vertex", can be divided. All points of other files belong to the first part
+  /// element "vertex", can be divided. In all other files, all points belong to the first part
   FilePiece Piece;
 };
 

@@ -11,8 +11,9 @@ namespace conformal
 {
 /// Convert triangle strips to triangles. In a strip, each id after the second forms a triangle with
 /// the two ids before it. Every second triangle is reversed, so that all triangles have the
-/// orientation of the first triangle. Files repeat an id only to join strips or to change the
-/// direction of a strip. Triangles with a repeated id are therefore omitted.
+/// orientation of the first triangle. Repeated ids in files serve only to join strips or to change
+/// the direction of a strip. Triangles with a repeated id are therefore no part of the surface, and
+/// are omitted.
 class TriangleStrips
 {
 public:

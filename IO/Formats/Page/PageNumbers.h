@@ -36,8 +36,8 @@ constexpr std::uint32_t PositionSteps = 65535; ///< `steps` of each coordinate o
 
 /// Encode the direction of a nonzero vector as two codes from 0 to PositionSteps. The vector is
 /// projected to the octahedron |x| + |y| + |z| = 1. The lower half (z < 0) of the octahedron is
-/// folded outward, so that the octahedron becomes a square. The codes are the position in this
-/// square.
+/// folded outward, so that the octahedron becomes a square. The codes are the two coordinates in
+/// this square, from 0 to PositionSteps.
 std::array<std::uint32_t, 2> octahedralCode(double x, double y, double z);
 
 /// Decode two codes of octahedralCode() to a unit vector. The vector differs from the encoded

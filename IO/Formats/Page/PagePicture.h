@@ -12,7 +12,8 @@ struct PagePicture
 {
   std::size_t Width = 0;
   std::size_t Height = 0;
-  std::vector<unsigned char> Pixels; ///< Height rows of Width by 3: red, green, blue
+  /// Height rows of Width pixels. Each pixel has 3 bytes: red, green, blue.
+  std::vector<unsigned char> Pixels;
 };
 
 /// Reduce a picture so that neither side has more than `maximumSize` pixels. The ratio of the sides

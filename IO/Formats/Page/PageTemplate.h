@@ -8,7 +8,8 @@
 
 namespace conformal
 {
-extern const std::string_view PageHTML; ///< text of page.html; each {{NAME}} is a place for data
+/// Text of page.html. makeSurfacePage() replaces each {{NAME}} by data.
+extern const std::string_view PageHTML;
 extern const std::string_view PageCSS;
 extern const std::string_view PageScript;
 }

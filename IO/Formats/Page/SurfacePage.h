@@ -38,9 +38,9 @@ const NamedArray& requirePageSurface(const SurfaceData& surface);
 /// Write a self-contained HTML file with rounded numbers. Each coordinate of a point is stored in
 /// 16 bits, relative to the bounds of the surface. Each position on the sphere is stored in 2 times
 /// 16 bits. The values of an array are rounded to 65535 levels between their minimum and maximum.
-/// Integers are exact if their range is below 2^32. Values that are not finite are shown as
-/// missing. Points and triangles are sorted by their position on the sphere, so that the data
-/// compress well.
+/// Arrays of integers with 1 component are an exception: their values are exact if the range is
+/// below 2^32. Values that are not finite are shown as missing. Points and triangles are sorted by
+/// their position on the sphere, so that the data compress well.
 ///
 /// Arrays of 3 or 4 bytes for each point are shown as colors. For other arrays of several
 /// components, the page shows the lengths of the tuples. "SpherePosition", "Normals", "TCoords" and

@@ -9,7 +9,7 @@
 namespace conformal
 {
 /// Return the path of three.js in Debian's package libjs-three. If the package is not installed,
-/// return the first of the paths that were searched.
+/// the result is the first searched path, at which there is no file.
 std::string findThreeJS();
 
 /// Read a file of three.js. The file must be a classic script or a CommonJS module, such as

@@ -19,8 +19,8 @@ namespace conformal
 ///
 /// The row of a vertex is X Y Z or I X Y Z, where the index I of the row counts from 0 or 1. The
 /// row of a plate is A B C, I A B C, or 3 A B C. A, B and C are the numbers of its vertices, and 3
-/// is the number of vertices. As in .ver files, the 3 may be on a separate line. Vertices are
-/// numbered from 0 if a plate contains vertex 0, otherwise from 1.
+/// is the number of vertices. The 3 may also be on a separate line before A B C, as in files with
+/// the extension .ver. Vertices are numbered from 0 if a plate contains vertex 0, otherwise from 1.
 ///
 /// Points are Float64, in the length unit of the file.
 SurfaceResult parsePlateModel(

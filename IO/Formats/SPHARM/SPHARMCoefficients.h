@@ -15,7 +15,7 @@
 namespace conformal
 {
 /// Read a file "{ N,{x, y, z},{x, y, z}, ...}" of N = (L + 1)^2 coefficients, where L is the
-/// maximum degree. Blanks and line ends are allowed between all numbers and signs.
+/// maximum degree. Blanks and line ends are allowed between all numbers, braces and commas.
 ///
 /// Let l be the degree and m the order of a spherical harmonic. Let P_lm be the associated Legendre
 /// function of cos(theta) with the Condon-Shortley phase. Let N_lm^2 = (2 l + 1) / (4 pi) (l - m)!

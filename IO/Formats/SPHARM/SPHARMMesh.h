@@ -1,6 +1,6 @@
 /// Parse and write meshes of the program SPHARM-PDM, in the legacy format of VTK. A surface is in a
-/// file named *_surf. Its sphere, in a file named *_para, is the same mesh with points on the unit
-/// sphere.
+/// file named *_surf. Its map to the sphere is in a file named *_para, which contains the same mesh
+/// with points on the unit sphere.
 
 #ifndef ConformalSPHARMMesh_h
 #define ConformalSPHARMMesh_h
@@ -29,9 +29,9 @@ bool looksLikeSPHARMMesh(std::string_view start);
 /// inserted before the extension.
 std::string sphereNameOf(const std::string& path);
 
-/// Write a surface as a legacy VTK text file of version 3.0. makeSPHARMSphere() writes the array
-/// "SpherePosition", scaled to unit length, instead of the points. Parsers read exactly the written
-/// numbers.
+/// Write a surface as a legacy VTK text file of version 3.0. makeSPHARMSurface() writes the points
+/// of the surface. makeSPHARMSphere() instead writes the positions "SpherePosition", scaled to unit
+/// length. The text has enough digits that parsers read equal numbers.
 /// @throws std::invalid_argument if a polygon is not a triangle. makeSPHARMSphere() also throws if
 ///   "SpherePosition" is missing, or a position is zero or not finite
 /// @throws Aborted if the progress callback of `run` returns false

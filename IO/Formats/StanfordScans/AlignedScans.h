@@ -49,8 +49,8 @@ using OpenScan = std::function<OpenedScan(const std::string& name)>;
 /// an array of the same name, type and number of components.
 ///
 /// If the list contains the same file twice, the result is an error. Missing scans are omitted and
-/// counted in SurfaceData::MissingScans. If RequireAllScans is true or no scan exists, a missing
-/// scan is an error.
+/// counted in SurfaceData::MissingScans. If RequireAllScans is true, a missing scan is an error. If
+/// none of the scans exists, the result is also an error.
 /// @param[in] open  function that opens the file of a scan
 SurfaceResult parseAlignedScans(ByteReader& input, const OpenScan& open,
   const AlignedScansOptions& options = {}, const ParseLimits& limits = {}, const Run& run = {});

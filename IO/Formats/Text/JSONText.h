@@ -8,7 +8,8 @@
 
 namespace conformal
 {
-/// Convert a text to valid UTF-8. Each byte outside of a valid character is replaced by U+FFFD.
+/// Convert a text to valid UTF-8. Each byte that is not part of a valid character is replaced by
+/// U+FFFD, the replacement character.
 std::string validUTF8(std::string_view text);
 
 /// Quote a text for JSON. The result is valid UTF-8 without control characters. The result contains

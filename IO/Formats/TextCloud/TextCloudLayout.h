@@ -61,17 +61,17 @@ public:
 /// delimiter is a semicolon. Otherwise, if the line contains a comma that is not a decimal mark,
 /// the delimiter is a comma. Otherwise, blanks and tabs separate the columns.
 ///
-/// Names of columns are read from a line before the numbers, or from a comment there. The line of
-/// names must contain x, y and z, and no name twice. Without names, the first three columns are x,
-/// y and z. The columns after z are then classified by the number of columns, and by the values in
-/// the first hundred lines:
+/// Names of columns are read from a line before the first numbers. This line may be a comment. The
+/// line of names must contain x, y and z, and no name twice. Without names, the first three columns
+/// are x, y and z. The meaning of the columns after z is then found from the number of columns and
+/// the values in the first hundred lines:
 /// - 4 columns: the fourth column is the intensity;
 /// - 6 columns: normals if all of them have length 1 (within 0.01) or 0; otherwise colors if all
 ///   values are integers in [0, 255];
 /// - 7 columns: intensity and colors, or colors and intensity;
 /// - 9 columns: normals and colors, or colors and normals.
 ///
-/// Columns without a known meaning are named by their number, such as "Column4".
+/// If no case applies, columns after z are named by their number, such as "Column4".
 ///
 /// @param[in] start         bytes from the start of a text
 /// @param[in] isWhole       whether `start` is the whole text; otherwise the last line may be

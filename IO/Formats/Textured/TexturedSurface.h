@@ -28,9 +28,10 @@ struct TexturedSurface
 };
 
 /// Write a binary glTF 2.0 file that contains a surface and its picture. As glTF requires,
-/// positions become floats, and v is counted from the top. glTF measures lengths in meters. The
-/// node (scene object) of the surface is therefore scaled by MetersPerUnit. MetersPerUnit is also
-/// written as "metersPerUnit" in the extras of the asset.
+/// positions become floats. As glTF requires, the texture coordinate v is counted from the top of
+/// the picture. glTF measures lengths in meters. The node (scene object) of the surface is
+/// therefore scaled by MetersPerUnit. The extras of the asset (further data of the file) contain
+/// MetersPerUnit as "metersPerUnit".
 ///
 /// If rounding to floats changes the positions too much (FloatRounding::isTooCoarse()), positions
 /// are relative to the center of the bounding box. The node is then translated to this center.
