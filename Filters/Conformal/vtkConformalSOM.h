@@ -23,8 +23,9 @@
  * Output port 0: vtkPolyData, a closed triangle mesh through the points, in the coordinates of the
  * input, double precision. The points of the mesh are the neurons of the self-organizing map. An
  * adaptive mesh (triangles of equal size) has NumberOfNeurons points and 2 NumberOfNeurons - 4
- * triangles. A geodesic mesh (edges of a subdivided icosahedron) has 10 f^2 + 2 points and 20 f^2
- * triangles. The integer f is chosen so that the number of points is nearest to NumberOfNeurons.
+ * triangles. A geodesic mesh (triangles of a subdivided icosahedron) has 10 f^2 + 2 points and 20
+ * f^2 triangles. The integer f is chosen so that the number of points is nearest to
+ * NumberOfNeurons.
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
  *   For a geodesic mesh, it is the vector n_i of the paper: the fixed position of neuron i on the
  *   geodesic sphere. For an adaptive mesh, it is the image of the point under a conformal map.
