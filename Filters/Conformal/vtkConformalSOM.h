@@ -29,8 +29,8 @@
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
  *   For a geodesic mesh, it is the vector n_i of the paper: the fixed position of neuron i on the
  *   geodesic sphere. For an adaptive mesh, it is the image of the point under a conformal map.
- *   vtkGlobalConformalMap computes other maps, for example a map with more area for limbs, the
- *   long, thin parts of the object (property AreaBalance).
+ *   vtkGlobalConformalMap computes other maps. For example, its property AreaBalance gives more
+ *   area to limbs, the long, thin parts of the object.
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
  *   to 0 over holes in the data. The filter vtkCurvedSeamlessSurface interpolates this array for
  *   its output.
@@ -62,8 +62,8 @@
  * - field data "LayerDistance" (1 value): distance between two layers of input points, as in badly
  *   registered scans, in the unit of the coordinates; 0 if the points form one layer.
  * - field data "AreaRatio" (1 value): area of the mesh, divided by the area of the surface before
- *   the least-squares fit, the last step of BATCH learning. A value well above 1 means that the
- *   mesh is crumpled.
+ *   the least-squares fit (last step of BATCH learning). A value well above 1 means that the mesh
+ *   is crumpled.
  * - field data "NoiseLevel" (1 value): estimated standard deviation of the noise, in the unit of
  *   the coordinates. The value is 0 if details of the object explain the distances between points
  *   and mesh. If TrainingMode is ONLINE, NoiseLevel and all fractions are 0, and AreaRatio is 1. If
@@ -90,13 +90,13 @@
  *
  * Output port 1: vtkTable, on the first process. ONLINE learning makes one row for each epoch
  * (NumberOfEpochs). BATCH learning makes one row for each pass over the points, and one row for
- * each iteration of the least-squares fit. Column "Frequency" is the integer f for which 20 f^2,
- * the number of triangles of a geodesic mesh, is closest to the mesh's number of triangles.
- * "NeighborhoodRadius" is sigma(t), and "LearningRate" is alpha(t); the property OnlineConstants
- * defines these functions. "MeanSquareError" is the mean square distance of the points from the
- * mesh, over the points used in the epoch, pass or iteration. "MeanDisplacement" is the mean
- * distance by which the neurons moved. In "MeanSquareError" and "MeanDisplacement", the unit of
- * length is the largest distance of an input point from the centroid of the points.
+ * each iteration of the least-squares fit. Column "Frequency" is an integer f: a geodesic mesh with
+ * 20 f^2 triangles has about as many triangles as the mesh. "NeighborhoodRadius" is sigma(t), and
+ * "LearningRate" is alpha(t); the property OnlineConstants defines these functions.
+ * "MeanSquareError" is the mean square distance between the mesh and the points that were used in
+ * the epoch, pass or iteration. "MeanDisplacement" is the mean distance by which the neurons moved.
+ * In "MeanSquareError" and "MeanDisplacement", the unit of length is the largest distance of an
+ * input point from the centroid of the points.
  *
  * Output port 2: vtkMultiBlockDataSet, the intermediate surfaces of learning, on the first process.
  * The output is empty if GenerateStages is off. A start is a surface from which learning begins.
@@ -117,11 +117,11 @@
  * BATCH, the mean square distance between the points and the mesh is more than a hundred times
  * smaller than with ONLINE. BATCH is also faster.
  *
- * ONLINE learns by Eqs. 3 to 5 of the paper. The positions of the neurons on the sphere are then
- * the map of the paper. BATCH applies Eq. 3, which moves neurons towards a point, to all points at
- * once. For a geodesic mesh, BATCH learns on the whole sequence of networks, and then fits the
- * finest network to the points. For an adaptive mesh, BATCH first makes a coarse mesh. If the
- * object has no limbs, the coarse mesh is learned on the coarse networks of the sequence.
+ * ONLINE learns by Eqs. 3 to 5 of the paper. With ONLINE, the positions of the neurons on the
+ * sphere are the map of the paper. BATCH applies Eq. 3, which moves neurons towards a point, to all
+ * points at once. For a geodesic mesh, BATCH learns on the whole sequence of networks, and then
+ * fits the finest network to the points. For an adaptive mesh, BATCH first makes a coarse mesh. If
+ * the object has no limbs, the coarse mesh is learned on the coarse networks of the sequence.
  * Otherwise, the coarse mesh is usually a hull, a closed surface around the points. The coarse mesh
  * is then alternately remeshed and fitted. Finally, the resulting mesh is mapped to the sphere
  * conformally. The paper suggests growing meshes and edge swaps as alternatives to its fixed
@@ -400,7 +400,7 @@ public:
   /**
    * Whether output port 2 has the intermediate surfaces of learning: the start, each level or turn,
    * the fit, and the result. A level is one network of the sequence of batch learning. A turn is
-   * one remeshing with the fit before it. Each surface has field data about its quality. Use these
+   * one fit, followed by a remeshing. Each surface has field data about its quality. Use these
    * surfaces for figures, and to find the cause of a bad result. Default is off.
    *
    * Each intermediate surface is kept in memory, and its quality is evaluated. One evaluation costs

@@ -36,8 +36,8 @@
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement of
  *   each point of the mean shape for one standard deviation of a principal component. If all modes
- *   are kept, each aligned shape is the mean shape plus the sum of its modes, each multiplied by
- *   the score of the shape.
+ *   are kept, each aligned shape is the mean shape plus a sum over the modes: the score of the
+ *   shape times the mode.
  * - the point arrays that all surfaces have. Each value is the mean over the surfaces. In integer
  *   arrays with 1 component (labels), each value is the most frequent label.
  * - field data "ExplainedVariance" (double, one value per mode; absent if there are no modes):

@@ -20,10 +20,10 @@
  *
  * Output port 0: vtkPolyData, the morphed surface, a closed triangle mesh. Positions on the unit
  * sphere are called directions. The points of one mesh of the sphere are the directions in which
- * all surfaces are sampled: the sample of a surface in a direction is its point that is mapped to
- * this direction. With Path LINEAR, a point of the output is the weighted sum of all samples in one
- * direction. If one surface has weight 1, the output consists of the samples of this surface. The
- * output is equal bit by bit for any number of threads.
+ * all surfaces are sampled. The sample of a surface in a direction is the point of the surface that
+ * is mapped to this direction. With Path LINEAR, a point of the output is the weighted sum of all
+ * samples in one direction. If one surface has weight 1, the output consists of the samples of this
+ * surface. The output is equal bit by bit for any number of threads.
  * - point array "SpherePosition" (double, 3 components): the directions. A texture that is an image
  *   of the sphere can be applied to the output, as to the input surfaces.
  * - every numeric point array that all surfaces have with the same name and number of components.

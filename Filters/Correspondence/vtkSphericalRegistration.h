@@ -14,7 +14,8 @@
  * folds.
  *
  * Input port 1: vtkPolyData, the fixed surface: closed, of genus zero, with the point array
- * "SpherePosition" (3 components), a map that covers the sphere once without folds.
+ * "SpherePosition" (3 components). The map of this surface must also cover the sphere once without
+ * folds.
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the deformed map. Points of both surfaces

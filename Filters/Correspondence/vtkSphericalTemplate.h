@@ -4,9 +4,9 @@
  *
  * Several surfaces are mapped to the sphere by their point arrays "SpherePosition". Deform these
  * maps until corresponding points of all surfaces have the same position on the sphere. In several
- * rounds, each surface is registered with the mean of all surfaces, as in vtkSphericalRegistration:
- * its map is deformed until it corresponds to the map of the mean. The second output is the mean
- * surface.
+ * rounds, each surface is registered with the mean of all surfaces, as in vtkSphericalRegistration.
+ * A registration deforms the map of a surface until it corresponds to the map of the mean. The
+ * second output is the mean surface.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, as separate inputs or as blocks of
  * composite data. All surfaces are closed, of genus zero, in one coordinate system, with the point

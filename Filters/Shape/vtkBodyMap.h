@@ -4,10 +4,10 @@
  *
  * Compute longitude, latitude, height and slope at each point of a body that is mapped to the
  * sphere. The map is the point array "SpherePosition". The filter transforms the map so that the
- * poles are on the rotation axis, and longitude 0 passes through a marker, a chosen point of the
- * body. The second output has meridians and parallels on the body. The third output has the
- * positions on the body of given places, such as landing sites. The places are given by longitude
- * and latitude. These longitudes and latitudes are neither planetocentric nor planetographic.
+ * poles are on the rotation axis. Longitude 0 passes through a marker, a chosen point of the body.
+ * The second output has meridians and parallels on the body. The third output has the positions on
+ * the body of given places, such as landing sites. The places are given by longitude and latitude.
+ * These longitudes and latitudes are neither planetocentric nor planetographic.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components), such
  * as the output of vtkGlobalConformalMap. Polygons and strips are treated as triangles.
@@ -21,8 +21,8 @@
  * - "Longitude": longitude, increasing to the east, in degrees, in [0, 360).
  * - "Latitude": latitude, in degrees, in [-90, 90].
  * - "Height": height of the point over the reference, an ellipsoid or sphere with the volume of the
- *   body (property Reference). The height is the difference of two distances from the center of the
- *   reference: that of the point, and that of the reference in the direction of the point.
+ *   body (property Reference). The height is the distance of the point from the center of the
+ *   reference, minus the radius of the reference in the direction of the point.
  * - "Slope": angle between the normals of the surface and of the reference, in degrees, in [0,
  *   180].
  *

@@ -12,7 +12,7 @@
  * Input port 0: vtkPolyData, a closed surface with the point array "SpherePosition". Polygons and
  * strips are cut into triangles.
  * - point array "SpherePosition" (3 components, of any length but 0): a map that covers the sphere
- *   once without folds. It is allowed that the map reverses the orientation of all triangles.
+ *   once without folds. The map is also valid if it reverses the orientation of all triangles.
  *
  * Input port 1 (optional): vtkTable, the coefficients of a reference surface, as on output port 1.
  * The property Alignment uses the reference.

@@ -23,8 +23,8 @@
  *
  * Curvatures are integrals over edges and vertices (D. Cohen-Steiner, J.-M. Morvan, "Restricted
  * Delaunay triangulations and normal cycle", SoCG 2003). The integral for a vertex is divided by
- * the area of the vertex, about that part of the surface which is nearer to this vertex than to
- * others. The result is smoothed over the length CurvatureScale.
+ * the area of the vertex. This area is about the part of the surface that is nearer to this vertex
+ * than to other vertices. The result is smoothed over the length CurvatureScale.
  *
  * "SulcalDepth" is the depth potential of M. Boucher, S. Whitesides, A. Evans, "Depth potential
  * function for folding pattern representation, registration and analysis", Medical Image Analysis

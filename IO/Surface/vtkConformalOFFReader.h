@@ -17,8 +17,8 @@
  *   1, the numbers are read as colors in [0, 1], otherwise in [0, 255].
  * - cell array "RGB" or "RGBA" (unsigned char), active scalars: colors after the point ids of the
  *   faces. A face without color is white.
- * - cell array "ColorIndex" (int, 1 component): the number after the point ids of a face, if there
- *   is only one number, an index of a color. The value is -1 for a face without this number.
+ * - cell array "ColorIndex" (int, 1 component): index of a color, read if only one number follows
+ *   the point ids of a face. The value is -1 for other faces.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *

@@ -24,8 +24,9 @@
  * - cell arrays (1 component) with the name and type of every scalar property of a face. If a file
  *   has strips or a grid, the output has no cell arrays.
  *
- * Unlike this reader, vtkPLYReader does not keep all properties and double precision, and does not
- * read strips. This reader checks every point id, so that malformed files cannot crash a program.
+ * In contrast, VTK's class vtkPLYReader keeps only some properties, has only single precision, and
+ * does not read strips. This reader checks every point id, so that malformed files cannot crash a
+ * program.
  *
  * @sa
  * vtkSurfaceFileReader

@@ -3,7 +3,7 @@
  * @brief   read clouds in the PCD format of the Point Cloud Library
  *
  * Read a point cloud from a PCD file, text, binary or compressed, with all fields (named numbers of
- * the points). Points with non-finite coordinates are left out. These are positions at which the
+ * the points). Points with non-finite coordinates are left out: in a PCD file, they mean that the
  * scanner measured nothing.
  *
  * Output port 0: vtkPolyData, the points of a file, with one vertex for each point. Versions 0.5 to
