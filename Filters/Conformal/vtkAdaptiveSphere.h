@@ -5,8 +5,8 @@
  * Make a closed triangle mesh of the unit sphere with a given number of points. The density of the
  * points is defined by a surface that is mapped to the sphere, or by a picture, see Density. No
  * angle of a triangle is below 28 degrees. The filter vtkCurvedSeamlessSurface makes a smooth
- * surface. To control where that filter places the points of the surface, connect this mesh to its
- * input Sphere.
+ * surface. To control where that filter places the points of the surface, connect this mesh to the
+ * input Sphere of that filter.
  *
  * Input port 0: vtkPolyData, a surface with a map to the sphere. Polygons and strips are cut into
  * triangles.
@@ -22,23 +22,23 @@
  * Input port 1 (optional): vtkImageData, the picture: one slice of point scalars with any number of
  * components. The picture is required if Density is IMAGE.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh of the unit sphere around the origin. Its
+ * Output port 0: vtkPolyData, a closed triangle mesh of the unit sphere around the origin. The
  * number of points differs from NumberOfPoints by at most 2 percent. Triangles are
  * counter-clockwise seen from outside. No angle is below 28 degrees for any density. The output is
  * equal bit by bit for any number of threads.
  * - point array "SpherePosition" (double, 3 components): the point itself, as a unit vector.
  *
  * If this mesh is connected to input port 1 of vtkCurvedSeamlessSurface, its points are the
- * directions in which that filter samples a surface. A mesh for this purpose is called N^new in
- * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",
- * Neurocomputing 71 (2008). The paper suggests dense vertices in an area with fine texture. The
- * surface on input port 0 affects this mesh only by the density.
+ * directions in which that filter samples a surface. C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008), call a mesh for this
+ * purpose N^new. They suggest dense vertices in an area with fine texture. The surface on input
+ * port 0 affects this mesh only by the density.
  *
  * Implementation note: the mesh is made by the Delaunay refinement of L. P. Chew,
  * "Guaranteed-quality mesh generation for curved surfaces", Symposium on Computational Geometry
- * (1993). Each step divides the triangle that is largest relative to the size that the density
- * requires. Refinement ends when the number of points is reached. The final smoothing keeps all
- * angles at 28 degrees or more.
+ * (1993). The density defines a required size of the triangles at each position. Each step divides
+ * the triangle whose ratio of actual size to required size is largest. Refinement ends when the
+ * number of points is reached. The final smoothing keeps all angles at 28 degrees or more.
  *
  * @sa
  * vtkCurvedSeamlessSurface vtkGeodesicSphereSource vtkSphericalTextureMap
@@ -81,7 +81,7 @@ public:
    * With AREA, the density on the sphere is inversely proportional to the factor by which the map
    * from the surface to the sphere enlarges areas. CURVATURE and IMAGE distribute the other half of
    * the points uniformly over the surface. Curvature is the sum of the absolute principal
-   * curvatures. The gradient of the picture is its derivative along the sphere.
+   * curvatures. The gradient of the picture is the change of its values per length on the sphere.
    */
   vtkSetClampMacro(Density, int, AREA, IMAGE);
   vtkGetMacro(Density, int);
@@ -95,8 +95,8 @@ public:
   /**
    * Name of the array of densities, with 1 component. Used only if Density is ARRAY. If there is no
    * point array of this name, the cell array of this name is used. Values must be finite and at
-   * least 0, with at least one above 0. Where the value is 0, the mesh has as few points as the
-   * bound on the angles allows. Default is empty.
+   * least 0, with at least one above 0. Where the value is 0, the mesh has only the points that are
+   * needed to keep angles at 28 degrees or more. Default is empty.
    */
   vtkSetMacro(DensityArrayName, std::string);
   vtkGetMacro(DensityArrayName, std::string);

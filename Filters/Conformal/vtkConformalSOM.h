@@ -3,70 +3,74 @@
  * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
  *
  * Learn a closed triangle mesh with a one-to-one map to the sphere. The input needs neither
- * triangles nor normals. The method is the conformal self-organizing map (CSM) of C.-Y. Liou, Y.-T.
- * Kuo, J.-C. Huang, Neurocomputing 71 (2008). The point array "SpherePosition" of the mesh holds
- * the position of each point on the sphere. The second output is a table of the training history,
- * for a line chart.
+ * triangles nor normals. The method is the conformal self-organizing map (CSM) of the paper by
+ * C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). The point array "SpherePosition" of
+ * the mesh holds the position of each point on the sphere. The second output is a table of the
+ * training history, for a line chart.
  *
  * Input port 0: vtkPointSet, points in any sequence. Polygons can serve as the surface from which
  * learning starts, see StartingShape. Other cells are ignored. Points with non-finite coordinates
  * are left out with a warning. Hidden and duplicate ghost points are left out silently.
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
- * "SpherePosition". If this mesh is present, an adaptive mesh (see MeshType) is learned from it,
- * and StartingShape is ignored. If TrainingMode is ONLINE, learning also starts from this mesh,
- * instead of from the sphere. If TrainingMode is BATCH and MeshType is GEODESIC, this input is an
+ * "SpherePosition". If this mesh is present, an adaptive mesh (see MeshType) is learned from this
+ * mesh, and StartingShape is ignored. If TrainingMode is ONLINE, learning also starts from this
+ * mesh, not from the sphere. If TrainingMode is BATCH and MeshType is GEODESIC, this input is an
  * error. Let R be the largest distance of an input point from the center of the input points. No
  * coordinate of this mesh, relative to that center, may exceed 4 R in magnitude. If all input
  * points lie in a plane, this mesh is used only if MeshType is ADAPTIVE.
  *
  * Output port 0: vtkPolyData, a closed triangle mesh through the points, in the coordinates of the
  * input, double precision. The points of the mesh are the neurons of the self-organizing map. An
- * adaptive mesh has NumberOfNeurons points and 2 NumberOfNeurons - 4 triangles. A geodesic mesh has
- * 10 f^2 + 2 points and 20 f^2 triangles. The integer f is chosen so that the number of points is
- * nearest to NumberOfNeurons.
+ * adaptive mesh (triangles of equal size) has NumberOfNeurons points and 2 NumberOfNeurons - 4
+ * triangles. A geodesic mesh (triangles of a subdivided icosahedron) has 10 f^2 + 2 points and 20
+ * f^2 triangles. The integer f is chosen so that the number of points is nearest to
+ * NumberOfNeurons.
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
  *   For a geodesic mesh, it is the vector n_i of the paper: the fixed position of neuron i on the
  *   geodesic sphere. For an adaptive mesh, it is the image of the point under a conformal map.
- *   vtkGlobalConformalMap computes other maps, for example a map with more area for limbs
- *   (AreaBalance).
+ *   vtkGlobalConformalMap computes other maps. For example, its property AreaBalance gives more
+ *   area to limbs, the long, thin parts of the object.
  * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
- *   to 0 over holes in the data. vtkCurvedSeamlessSurface interpolates this array.
+ *   to 0 over holes in the data. The filter vtkCurvedSeamlessSurface interpolates this array for
+ *   its output.
  * - point array "StandardError" (double, 1 component): standard error of the vertex along the
  *   normal, in the unit of the coordinates. It is large where points are few or noisy, or where the
  *   object is rough. Only an adaptive mesh learned with TrainingMode BATCH has this array.
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
  *   neuron and the input points assigned to this neuron; 0 if no points are assigned. If the input
  *   has more than 12 points for each neuron, only a selection of 12 points for each neuron is used.
- * - field data "AffineRank" (1 value): dimension of the space that the points span. It is 3 in
- *   general, 2 for points in a plane, 1 for points on a line, and 0 for equal points. If it is
- *   below 3, the mesh is valid but flat, and there is a warning.
+ * - field data "AffineRank" (1 value): dimension of the space that the points span. The value is 3
+ *   in general, 2 for points in a plane, 1 for points on a line, and 0 for equal points. If the
+ *   value is below 3, the mesh is valid but flat, and there is a warning.
  * - field data "UnsupportedFraction" (1 value): fraction of the mesh's area without input points
  *   nearby. This area consists of hole fillings, and of webs (spurious membranes) between limbs. If
  *   TrainingMode is ONLINE, the value is 0.
- * - field data "UncoveredFraction" (1 value): fraction of the input points, weighted by area, that
- *   are far from the mesh. Outliers, which are far from all other points, are not counted.
+ * - field data "UncoveredFraction" (1 value): fraction of the input points that are far from the
+ *   mesh. Each point is weighted by the surface area that it represents. Outliers, which are far
+ *   from all other points, are not counted.
  * - field data "InvertedFraction" (1 value): fraction of the input points, weighted by area, at
- *   which the mesh faces the wrong way. The test uses normals, or winding numbers (about 1 inside
- *   of the points, 0 outside). Points at which two layers of the mesh with opposite normals
- *   coincide are also counted.
- * - field data "FoldedFraction" (1 value): fraction of the mesh's edges at which the normals of
- *   both triangles differ by more than 150 degrees.
+ *   which the inner side of the mesh faces outward. The test uses normals of the points, or winding
+ *   numbers. A winding number is about 1 at positions enclosed by the points, and 0 outside. Points
+ *   at which two layers of the mesh with opposite normals coincide are also counted.
+ * - field data "FoldedFraction" (1 value): fraction of the mesh's edges at which the normals of the
+ *   two triangles differ by more than 150 degrees.
  * - field data "UndersampledFraction" (1 value): fraction of the input points, weighted by area, in
- *   regions with too few points for the shape. Let R be the largest distance of a point from the
- *   centroid. A point is counted if it is farther than 0.02 R from the plane of its eight nearest
- *   neighbors.
+ *   regions with too few points to define the shape. Let R be the largest distance of a point from
+ *   the centroid. A point is counted if its distance from the plane of its eight nearest neighbors
+ *   is more than 0.02 R.
  * - field data "LayerDistance" (1 value): distance between two layers of input points, as in badly
  *   registered scans, in the unit of the coordinates; 0 if the points form one layer.
  * - field data "AreaRatio" (1 value): area of the mesh, divided by the area of the surface before
- *   the least-squares fit. A value well above 1 means that the mesh is crumpled.
+ *   the least-squares fit (last step of BATCH learning). A value well above 1 means that the mesh
+ *   is crumpled.
  * - field data "NoiseLevel" (1 value): estimated standard deviation of the noise, in the unit of
- *   the coordinates. It is 0 if details of the object explain the distances between points and
- *   mesh. If TrainingMode is ONLINE, NoiseLevel and all fractions are 0, and AreaRatio is 1. If one
- *   of the fractions, LayerDistance or NoiseLevel is bad, there is a warning.
+ *   the coordinates. The value is 0 if details of the object explain the distances between points
+ *   and mesh. If TrainingMode is ONLINE, NoiseLevel and all fractions are 0, and AreaRatio is 1. If
+ *   one of the fractions, LayerDistance or NoiseLevel is too large, there is a warning.
  * - field data "EffectiveDegreesOfFreedom" (1 value): number of free parameters of the fit of an
- *   adaptive mesh. Without smoothing, this is the number of vertices. It is small for a smooth
- *   object, and 0 if it is unknown.
+ *   adaptive mesh. Without smoothing, the value is the number of vertices. For a smooth object, the
+ *   value is small. If the number is unknown, the value is 0.
  * - field data "StartedFromHull" (1 value): 1 if the mesh was learned from a hull, a closed surface
  *   around the points (vtkGenusZeroHull).
  * - field data "StartedFromMesh" (1 value): 1 if the mesh was learned from the polygons of the
@@ -84,48 +88,52 @@
  * - point array "GlobalPointIds" and cell array "GlobalCellIds" (vtkIdType), only with
  *   DistributeOutput: the active global ids.
  *
- * Output port 1: vtkTable, on the first process, with one row for each epoch (ONLINE), pass over
- * the points (BATCH) or iteration of the least-squares fit (BATCH). Column "Frequency" is the
- * frequency of the geodesic sphere that has about as many triangles as the mesh.
- * "NeighborhoodRadius" is the radius sigma(t) on the unit sphere, and "LearningRate" is alpha(t).
- * OnlineConstants describes both. "MeanSquareError" is the mean square distance between the points
- * used for the row and the mesh. "MeanDisplacement" is the mean distance by which the neurons
- * moved. In "MeanSquareError" and "MeanDisplacement", the unit of length is the largest distance of
- * an input point from the centroid of the points.
+ * Output port 1: vtkTable, on the first process. ONLINE learning makes one row for each epoch
+ * (NumberOfEpochs). BATCH learning makes one row for each pass over the points, and one row for
+ * each iteration of the least-squares fit. Column "Frequency" is an integer f: a geodesic mesh with
+ * 20 f^2 triangles has about as many triangles as the mesh. "NeighborhoodRadius" is sigma(t), and
+ * "LearningRate" is alpha(t); the property OnlineConstants defines these functions.
+ * "MeanSquareError" is the mean square distance between the mesh and the points that were used in
+ * the epoch, pass or iteration. "MeanDisplacement" is the mean distance by which the neurons moved.
+ * In "MeanSquareError" and "MeanDisplacement", the unit of length is the largest distance of an
+ * input point from the centroid of the points.
  *
  * Output port 2: vtkMultiBlockDataSet, the intermediate surfaces of learning, on the first process.
  * The output is empty if GenerateStages is off. A start is a surface from which learning begins.
- * Starts are counted from 1, including abandoned starts. The name of a block consists of the number
- * of the start, the name of the start, and the stage, such as "1 sphere: level 4" or "2 hull: fit".
- * The last block, "kept", is the result. Each block is a vtkPolyData with the field data
- * "StartNumber", "DefectScore", "UncoveredFraction", "InvertedFraction" and "FoldedFraction". For
- * the DefectScore, each of the three fractions is divided by the largest value that is acceptable.
- * The score is the largest quotient, so that a surface with a score above 1 is bad. If TrainingMode
- * is ONLINE, score and fractions are 0.
+ * Starts are counted from 1. Starts from which learning was stopped early are also counted. The
+ * name of a block consists of the number of the start, the name of the start, and the stage, such
+ * as "1 sphere: level 4" or "2 hull: fit". The last block, "kept", is the result. Each block is a
+ * vtkPolyData with the field data "StartNumber", "DefectScore", "UncoveredFraction",
+ * "InvertedFraction" and "FoldedFraction". For the DefectScore, each of these three fractions is
+ * divided by its largest acceptable value. The score is the largest of the three quotients. A
+ * surface with a score above 1 is bad. If TrainingMode is ONLINE, the score and the fractions are
+ * 0.
  *
  * Neurons are the vertices of a network on the sphere. Each neuron learns a weight vector, its
  * position in the space of the points (section 2 of the paper, "Conformal self-organizing map on
- * curved seamless surface"). TrainingMode ONLINE is the paper's learning algorithm, one point at a
- * time, with the paper's constants as defaults. BATCH, the default, uses all points at once on a
- * sequence of networks, from coarse to fine, and ends with a least-squares fit. The mean square
- * distance between the points and the mesh is more than a hundred times smaller than with ONLINE,
- * and learning is faster.
+ * curved seamless surface"). TrainingMode ONLINE is the paper's learning algorithm, which uses one
+ * point at a time. The defaults are the paper's constants. BATCH, the default, uses all points at
+ * once on a sequence of networks, from coarse to fine, and ends with a least-squares fit. With
+ * BATCH, the mean square distance between the points and the mesh is more than a hundred times
+ * smaller than with ONLINE. BATCH is also faster.
  *
- * ONLINE learns by Eqs. 3 to 5 of the paper, and the neurons' positions on the sphere are the
- * paper's map. BATCH applies Eq. 3, which moves neurons towards a point, to all points at once. For
- * a geodesic mesh, BATCH learns on the whole sequence of networks, and then fits the finest network
- * to the points. For an adaptive mesh, BATCH learns on coarse networks only, and only if the object
- * has no limbs. The coarse mesh, or a hull of the points, is then alternately remeshed and fitted.
- * Finally it is mapped to the sphere conformally. The paper suggests growing meshes and edge swaps
- * as alternatives to its fixed network.
+ * ONLINE learns by Eqs. 3 to 5 of the paper. With ONLINE, the positions of the neurons on the
+ * sphere are the map of the paper. BATCH applies Eq. 3, which moves neurons towards a point, to all
+ * points at once. For a geodesic mesh, BATCH learns on the whole sequence of networks, and then
+ * fits the finest network to the points. For an adaptive mesh, BATCH first makes a coarse mesh. If
+ * the object has no limbs, the coarse mesh is learned on the coarse networks of the sequence.
+ * Otherwise, the coarse mesh is usually a hull, a closed surface around the points. The coarse mesh
+ * is then alternately remeshed and fitted. Finally, the resulting mesh is mapped to the sphere
+ * conformally. The paper suggests growing meshes and edge swaps as alternatives to its fixed
+ * network.
  *
  * Implementation note: with the paper's constants, ONLINE learning ends while the neighborhood
  * radius sigma(t) is still larger than a triangle. Documentation/Filters.md has the measurement.
  *
  * Implementation note: the paper's mismatch error E_mis measures distances from the points to the
- * mesh only. A mesh that is learned from the sphere may have webs between limbs. E_mis does not
- * detect webs. An adaptive mesh is checked for webs. If there are webs, the mesh is learned again
- * from a hull, see StartingShape.
+ * mesh only. A mesh that is learned from the sphere may have webs (spurious membranes) between
+ * limbs. E_mis does not detect webs. An adaptive mesh is checked for webs. If there are webs, the
+ * mesh is learned again from a hull, see StartingShape.
  *
  * @sa
  * vtkGeodesicSphereSource vtkCurvedSeamlessSurface vtkGlobalConformalMap vtkSphericalTextureMap
@@ -196,10 +204,11 @@ public:
 
   ///@{
   /**
-   * Type of the mesh. GEODESIC: the paper's geodesic sphere with fixed connectivity; its triangles
-   * become long and large on limbs. ADAPTIVE: nearly equilateral triangles of equal size on the
-   * whole surface, including long limbs; batch learning only. AUTOMATIC_MESH (default): ADAPTIVE in
-   * batch learning, GEODESIC in online learning and for points in a plane.
+   * Type of the mesh. GEODESIC: the paper's geodesic sphere, a subdivided icosahedron. Its
+   * triangles become long and large on limbs (long, thin parts). ADAPTIVE: nearly equilateral
+   * triangles of equal size on the whole surface, including long limbs. ADAPTIVE requires batch
+   * learning. AUTOMATIC_MESH (default): ADAPTIVE in batch learning, GEODESIC in online learning and
+   * for points in a plane.
    *
    * In batch learning, a geodesic mesh is always learned from the sphere. An adaptive mesh has
    * points on sharp edges and corners of the object. Documentation/Fit.md compares both types.
@@ -225,9 +234,10 @@ public:
 
   ///@{
   /**
-   * Training algorithm. BATCH (default): learn from all points at once on a sequence of finer
-   * networks, then fit the mesh by least squares. The result is much closer to the points, and
-   * learning is faster. ONLINE: the paper's CSM Learning Algorithm, which uses one point at a time.
+   * Training algorithm. BATCH (default): learn from all points at once on a sequence of finer and
+   * finer networks, then fit the mesh by least squares. The result is much closer to the points,
+   * and learning is faster. ONLINE: the paper's CSM Learning Algorithm, which uses one point at a
+   * time.
    */
   vtkSetClampMacro(TrainingMode, int, BATCH, ONLINE);
   vtkGetMacro(TrainingMode, int);
@@ -239,11 +249,11 @@ public:
   /**
    * Name of a point array of the input with 1 component, the priority of each point. In online
    * learning, the priority is the relative frequency with which the point is drawn in the second
-   * half of the epochs. In batch learning, it is the weight of the point. Default is none (or an
-   * empty name): all points have equal priority.
+   * half of the epochs. In batch learning, the priority is the weight of the point. Default is none
+   * (or an empty name): all points have equal priority.
    *
-   * The paper gives a higher priority to extrusive parts. Negative and non-finite values count as
-   * 0, with a warning.
+   * The paper gives a higher priority to protruding parts of the object. Negative and non-finite
+   * values count as 0, with a warning.
    */
   vtkSetStringMacro(PriorityArrayName);
   vtkGetStringMacro(PriorityArrayName);
@@ -267,10 +277,10 @@ public:
    * AUTOMATIC_REFERENCE (default): CONFORMAL in online learning, AFFINE in batch learning.
    *
    * With WINNER, online learning uses the position n_c of the winning neuron, the neuron nearest to
-   * the input point. Batch learning uses a corner of the triangle that contains the projected
-   * point: the one with the largest barycentric weight. In batch learning, AFFINE gives a mesh as
-   * close to the points as CONFORMAL, in less time. Batch learning uses this property only while a
-   * mesh is learned from the sphere, not in the fit.
+   * the input point. Batch learning uses the position of one corner of the triangle that contains
+   * the projected point: the corner with the largest barycentric weight. In batch learning, AFFINE
+   * gives a mesh as close to the points as CONFORMAL, in less time. Batch learning uses this
+   * property only while a mesh is learned from the sphere, not in the fit.
    */
   vtkSetClampMacro(ReferencePoint, int, AUTOMATIC_REFERENCE, AFFINE);
   vtkGetMacro(ReferencePoint, int);
@@ -314,8 +324,9 @@ public:
 
   ///@{
   /**
-   * Number of iterations of the least-squares fit after batch learning. For an adaptive mesh, up to
-   * half of these iterations precede the last remeshing. At least 0. Default is 10.
+   * Number of iterations of the least-squares fit after batch learning. The fit moves the vertices
+   * of the mesh towards the points. For an adaptive mesh, up to half of these iterations are done
+   * before the last remeshing. At least 0. Default is 10.
    */
   vtkSetClampMacro(FitIterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(FitIterations, int);
@@ -323,10 +334,10 @@ public:
 
   ///@{
   /**
-   * Factor of the smoothness that the least-squares fit of batch learning finds. At least 0.
-   * Default is 1. For an adaptive mesh, the fit finds by cross-validation how smooth the object and
-   * how noisy the points are in each part. For a geodesic mesh, one weight is used everywhere,
-   * which increases with the noise.
+   * Factor by which the least-squares fit of batch learning multiplies the smoothness that it
+   * finds. At least 0. Default is 1. For an adaptive mesh, the fit finds by cross-validation, in
+   * each part, how smooth the object is and how noisy the points are. For a geodesic mesh, the
+   * smoothness is the same everywhere, and increases with the noise.
    */
   vtkSetMacro(Smoothness, double);
   vtkGetMacro(Smoothness, double);
@@ -341,9 +352,9 @@ public:
    * of holes, or other defects, it is learned again from a hull.
    *
    * If several meshes are learned, the best mesh is kept. The field data "UncoveredFraction",
-   * "InvertedFraction" and "FoldedFraction" measure the defects of a mesh. A geodesic mesh is not
-   * learned from a hull or from polygons; HULL and MESH are then errors. If all points lie in a
-   * plane and MeshType is AUTOMATIC_MESH, learning starts from the sphere.
+   * "InvertedFraction" and "FoldedFraction" measure the defects of a mesh. For a geodesic mesh,
+   * HULL and MESH are errors. If all points lie in a plane and MeshType is AUTOMATIC_MESH, learning
+   * starts from the sphere.
    *
    * Where vertices of the polygons are sparse, additional points are sampled from the polygons.
    * With MESH, it is an error if the polygons do not form a closed surface of genus zero. Points
@@ -367,11 +378,11 @@ public:
   ///@{
   /**
    * Method by which the hull of the points is made, if batch learning starts from a hull. The
-   * method classifies space as inside or outside of the points. DISTANCE: by the distance to the
-   * points. WINDING_NUMBERS: by winding numbers of the points, for scans with large holes, hidden
-   * sides or noise. AUTOMATIC_METHOD (default): by the distance, or by winding numbers if the
-   * result by distance seems wrong. If the adaptive mesh is bad, it is also learned from the hull
-   * by the other method, and the better mesh is kept.
+   * method determines which positions in space are inside of the points. DISTANCE: by the distance
+   * to the points. WINDING_NUMBERS: by winding numbers (about 1 inside, 0 outside), for scans with
+   * large holes, hidden sides or noise. AUTOMATIC_METHOD (default): by the distance, or by winding
+   * numbers if the result by distance seems wrong. If the adaptive mesh is bad, it is also learned
+   * from the hull by the other method, and the better mesh is kept.
    *
    * The methods are those of the property Method of vtkGenusZeroHull. If most points of the input
    * belong to a polygon, winding numbers use the normals of the polygons, consistently oriented.
@@ -388,12 +399,12 @@ public:
   ///@{
   /**
    * Whether output port 2 has the intermediate surfaces of learning: the start, each level or turn,
-   * the fit, and the result. A level is one network of the sequence; a turn is one remeshing with
-   * its fit. Each surface has field data about its quality. Use these surfaces for figures, and to
-   * find the cause of a bad result. Default is off.
+   * the fit, and the result. A level is one network of the sequence of batch learning. A turn is
+   * one fit, followed by a remeshing. Each surface has field data about its quality. Use these
+   * surfaces for figures, and to find the cause of a bad result. Default is off.
    *
-   * Each intermediate surface is evaluated and kept in memory. The evaluation costs some tenths of
-   * a second.
+   * Each intermediate surface is kept in memory, and its quality is evaluated. One evaluation costs
+   * some tenths of a second.
    */
   vtkSetMacro(GenerateStages, bool);
   vtkGetMacro(GenerateStages, bool);

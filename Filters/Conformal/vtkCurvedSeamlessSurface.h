@@ -8,19 +8,19 @@
  * "SpherePosition", its map to the sphere, and "Normals".
  *
  * Input port 0: vtkPolyData, a closed surface of genus zero from vtkConformalSOM or any other
- * source. Polygons and strips are cut into triangles. Coincident points of open edges are merged,
- * triangles are oriented consistently, and isolated points are dropped. Each kind of change causes
- * one warning. The surface has
+ * source. Polygons and strips are cut into triangles. Coincident points of open edges (edges of
+ * only one triangle) are merged, triangles are oriented consistently, and isolated points are
+ * dropped. Each kind of change causes one warning. The surface has
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
  *   sphere. The map must cover the sphere exactly once.
- * - field array "VertexShift" (1 component, optional, at least 1 tuple): see the property
- *   VertexShift.
+ * - field array "VertexShift" (1 component, optional, at least 1 tuple): shift of the vertices
+ *   before the triangles are curved, see the property VertexShift.
  *
- * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. A direction is a point of the
- * unit sphere. The surface is evaluated in the directions of the points of this mesh, and gets the
- * triangles of this mesh. The directions are the point array "SpherePosition" (3 components) or,
- * without this array, the coordinates. Without this input, the property Sampling determines where
- * the surface is evaluated.
+ * Input port 1 (optional): vtkPolyData, a dense mesh of the sphere. Positions on the unit sphere
+ * are called directions. Each point of this mesh has a direction, in which the surface is
+ * evaluated. The output gets the triangles of this mesh. The directions are the point array
+ * "SpherePosition" (3 components) or, without this array, the coordinates. Without this input, the
+ * property Sampling determines where the surface is evaluated.
  *
  * Input port 2 (optional): vtkPointSet, the point cloud to which the surface is fitted if
  * DomeHeight is FITTED. Points with non-finite coordinates are left out with a warning, and ghost
@@ -31,9 +31,9 @@
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
  * - point array "Normals" (double, 3 components): outward unit normals. If DomeHeight is CURVATURE
  *   or FITTED, they are shading normals, which are continuous across the edges of the input's
- *   triangles. Otherwise they are means of the normals of the triangles around each point, weighted
- *   by area. If a mean is 0, the normal of the input's flat triangle replaces it. If this triangle
- *   has no area, SpherePosition is used.
+ *   triangles. Otherwise they are area-weighted means of the triangle normals around each point. If
+ *   a mean is 0, the normal of the input's flat triangle is used instead. If this triangle has no
+ *   area, SpherePosition is used.
  * - point array "Supported" (double, 1 component), only if input port 0 has this array: the
  *   interpolated values. vtkConformalSOM describes the array.
  * - cell array "Degenerate" (unsigned char): 1 for triangles in a degenerate triangle of input port
@@ -47,10 +47,11 @@
  *   replaced by the flat triangle. If DomeHeight is PUBLISHED or SCALED, triangles whose normal is
  *   opposite to that of a neighbor are also counted.
  *
- * The surface is computed by the algorithm in Section 3 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
- * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008), steps 1 to
- * 11, with Schwarz-Christoffel maps (Eqs. 4 and 5) between each flat triangle in space and the flat
- * triangle of its corners on the sphere.
+ * The surface is computed by steps 1 to 11 of the algorithm in Section 3 of C.-Y. Liou, Y.-T. Kuo,
+ * J.-C. Huang, "Conformal self-organizing map on curved seamless surface", Neurocomputing 71
+ * (2008). Schwarz-Christoffel maps are conformal maps of triangles, Eqs. 4 and 5. For each flat
+ * triangle in space, the algorithm uses a Schwarz-Christoffel map between this triangle and the
+ * flat triangle of its corners on the sphere.
  *
  * Implementation note: a dome is the curved patch that replaces a flat triangle. In the published
  * algorithm, the maps of two neighboring triangles differ along their common edge. The published
@@ -84,8 +85,9 @@ public:
 
   /**
    * Set the mesh of the sphere on input port 1, called N^new in the paper. The surface is evaluated
-   * in the directions of the points of this mesh, and gets its triangles. Without this mesh, the
-   * property Sampling determines the points. If Sampling is NETWORK, the mesh is not used.
+   * in the directions of the points of this mesh. The output gets the triangles of this mesh.
+   * Without this mesh, the property Sampling determines the points. If Sampling is NETWORK, the
+   * mesh is not used.
    */
   void SetSphereConnection(vtkAlgorithmOutput* output);
 
@@ -177,12 +179,12 @@ public:
   ///@{
   /**
    * Controller of the processes that share the point cloud if DomeHeight is FITTED. Each process
-   * runs this filter on its own piece of the cloud, which may be empty. The surface of the first
-   * process that has one is fitted to the points of all processes. The result is equal bit by bit
-   * for any number of processes. Only that process gets the resulting surface; the other processes
-   * get an empty surface. All processes get the map. For other values of DomeHeight, each process
-   * makes the surface of its own input. Default is the global controller. With null, only the cloud
-   * of this process is used.
+   * runs this filter on its own piece of the cloud, which may be empty. The first process that has
+   * a surface on input port 0 provides the surface. This surface is fitted to the points of all
+   * processes. The result is equal bit by bit for any number of processes. Only the process that
+   * provided the surface gets the result; the other processes get an empty surface. All processes
+   * get the map. For other values of DomeHeight, each process makes the surface of its own input.
+   * Default is the global controller. With null, only the cloud of this process is used.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -191,8 +193,8 @@ public:
   ///@{
   /**
    * Continuity of the map across the edges of the input's triangles. EDGE_MATCHED (default): the
-   * map is continuous across edges. PER_TRIANGLE: as published, each triangle has a separate map,
-   * and the maps of two triangles differ along their common edge.
+   * map is continuous across edges. PER_TRIANGLE: each triangle has a separate map, as in the
+   * paper. The maps of two triangles differ along their common edge.
    */
   vtkSetClampMacro(SeamMode, int, PER_TRIANGLE, EDGE_MATCHED);
   vtkGetMacro(SeamMode, int);
@@ -203,9 +205,10 @@ public:
   ///@{
   /**
    * Shape of the domes, the curved patches that replace the flat triangles. CURVATURE (default):
-   * domes follow the normals of the mesh, outward where the surface is convex and inward where it
-   * is concave. FITTED: domes are fitted to the point cloud on input port 2. PUBLISHED and SCALED:
-   * domes of the paper, which bulge outward everywhere. NONE: flat triangles.
+   * domes follow the normals of the mesh. They bulge outward where the surface is convex, and
+   * inward where the surface is concave. FITTED: domes are fitted to the point cloud on input port
+   * 2. PUBLISHED and SCALED: domes of the paper, which bulge outward everywhere. NONE: flat
+   * triangles.
    *
    * CURVATURE makes PN triangles (curved point-normal triangles) from the mean normals of the
    * vertices. FITTED fits positions and normals of the vertices by least squares. The paper
@@ -224,11 +227,11 @@ public:
 
   ///@{
   /**
-   * Shift of the vertices of a mesh that was fitted to points, before the triangles are curved. A
-   * value of 1 shifts the vertices so that the curved triangles enclose the same volume as the flat
-   * triangles. With 0, the surface passes through the vertices of the mesh. In [-1, 2]. A negative
-   * value (default) uses the value in the mesh's field array "VertexShift", which vtkConformalSOM
-   * writes, or 0 without this array.
+   * Factor of a shift of the vertices before the triangles are curved. Use the shift for a mesh
+   * that was fitted to points. A value of 1 shifts the vertices so that the curved triangles
+   * enclose the same volume as the flat triangles. With 0, the surface passes through the vertices
+   * of the mesh. In [-1, 2]. With a negative value (default), the value is read from the mesh's
+   * field array "VertexShift", which vtkConformalSOM writes. Without this array, the value is 0.
    *
    * Flat triangles that are fitted by least squares pass through the middle of the points. Where
    * the object is convex, their vertices are therefore outside of the object. Curved triangles
@@ -254,9 +257,9 @@ public:
 
   ///@{
   /**
-   * Weight of the smoothness term of the fit if DomeHeight is FITTED. The unit is the weight of the
-   * cloud's points at a vertex, averaged over all vertices. In [0, 1000]. Default is 0.01. Larger
-   * values smooth noise.
+   * Weight of the smoothness term of the fit if DomeHeight is FITTED. The unit is the mean total
+   * weight of the cloud's points at one vertex. In [0, 1000]. Default is 0.01. Larger values smooth
+   * noise.
    */
   vtkSetClampMacro(FitSmoothness, double, 0.0, 1000.0);
   vtkGetMacro(FitSmoothness, double);
@@ -270,8 +273,9 @@ public:
 
   /**
    * Build the map of a surface with the properties of this filter, without running the filter. The
-   * filter's inputs are not used. The cloud may be null unless DomeHeight is FITTED. If the surface
-   * is not valid, the map reports an error, and the function returns false.
+   * filter's inputs are not used. If DomeHeight is FITTED, the cloud is required. Otherwise, the
+   * cloud may be null. If the surface is not valid, the map reports an error, and the function
+   * returns false.
    */
   bool BuildMap(vtkPolyData* surface, vtkPointSet* cloud, vtkCurvedSeamlessMap* map);
 

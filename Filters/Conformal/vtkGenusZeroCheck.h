@@ -5,8 +5,8 @@
  * Check a surface and add the result as field data; the surface itself is not changed. IsGenusZero
  * is 1 if the surface is closed, manifold, connected and without handles. Other field data hold the
  * numbers of boundary edges, components, non-manifold edges and other faults, and the ids of faulty
- * edges, points and cells. GenusZeroReport describes the faults in words. A spreadsheet view shows
- * these arrays under Field Data.
+ * edges, points and cells. GenusZeroReport describes the faults in words. ParaView's spreadsheet
+ * view shows these arrays under Field Data.
  *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
  * ignored.
@@ -15,8 +15,8 @@
  *
  * Numbers (vtkIdType, one value each):
  * - "IsGenusZero": 1 if the surface is closed, manifold, connected and of Euler number 2.
- *   Inconsistent orientation, triangles without area and isolated points are ignored here, since
- *   they can be repaired.
+ *   Inconsistent orientation, triangles without area and isolated points do not affect this value,
+ *   since other filters can repair them.
  * - "EulerNumber": number of vertices minus edges plus triangles, without isolated points.
  * - "NumberOfBoundaryEdges": edges of only one triangle.
  * - "NumberOfBoundaryLoops": connected sets of boundary edges.

@@ -2,10 +2,10 @@
  * @class   vtkGenusZeroHull
  * @brief   wrap scattered points into one closed surface without handles
  *
- * Make a closed triangle mesh without handles around scattered points. The mesh closes holes in the
- * data, and has no webs (spurious membranes) between limbs. The field data hold the size of the
- * largest hole, and the number of points outside of the mesh. Further field data describe the
- * handles that were cut.
+ * Make a closed triangle mesh without handles (like that of a cup) around scattered points. The
+ * mesh closes holes in the data. It has no webs (spurious membranes) between limbs, the long, thin
+ * parts of the object. The field data hold the size of the largest hole, and the number of points
+ * outside of the mesh. Further field data count the handles that were cut.
  *
  * Input port 0: vtkPointSet, points in any sequence. Points with non-finite coordinates are left
  * out with a warning, and hidden or duplicate ghost points without a warning. Cells and normals are
@@ -25,11 +25,12 @@
  * - "NormalsUsed" (idtype): 1 if the winding numbers were computed with normals of the input.
  * - "KernelWidth" (double): radius over which winding numbers were averaged, which is larger for
  *   noisy points; 0 for DISTANCE.
- * - "GridSpacing" (double): distance between neighboring nodes of the grid. The distance is that of
- *   the property Spacing. If the points are too far apart for this distance, the distance is
- *   doubled until the grid is suitable.
+ * - "GridSpacing" (double): distance between neighboring nodes of the grid. Usually this is the
+ *   distance that the property Spacing selects. If the points are too far apart for this grid, the
+ *   distance is doubled until the grid is suitable.
  * - "NumberOfInsideNodes" (idtype): number of grid nodes inside. For DISTANCE, only nodes farther
- *   from the points than the Offset are counted. 0 means that the points enclose nothing.
+ *   from the points than the Offset are counted. A value of 0 means that the points enclose
+ *   nothing.
  * - "SolidEulerNumber" (idtype): Euler number of the solid inside the hull before its handles were
  *   cut: 1 minus the number of handles.
  * - "NumberOfCutNodes" (idtype): number of grid nodes removed from the solid to cut handles, or
@@ -40,9 +41,9 @@
  *   HoleDepth is the largest of these distances. If HoleWidth and HoleDepth are nearly equal, the
  *   classification of that space as inside is uncertain. Both values are 0 if there is no hole, and
  *   for WINDING_NUMBERS.
- * - "Leaks" (idtype): 1 if a hole in the data is about as wide as the space behind it. By the
- *   property Persistence alone, almost nothing would then be inside. The filter instead chose the
- *   part of space that is most likely inside.
+ * - "Leaks" (idtype): 1 if a hole in the data is about as wide as the space behind it. By the rule
+ *   of the property Persistence, almost nothing would then be inside. The filter therefore did not
+ *   use this rule, and chose at most one part of space that is likely inside.
  * - "NumberOfPointsOutside" (idtype): number of points outside of the hull and not near it:
  *   outliers, and points apart from the largest connected part of the object.
  * - "NumberOfPointsInside" (idtype): number of points inside the hull and not near its surface:
@@ -50,9 +51,9 @@
  *
  * There is one warning for each of the following cases:
  * - The points enclose nothing, or Leaks is 1.
- * - A handle can be cut only through the inside of the object or through its points. The cause is
- *   an object that is not of genus zero, or whose parts touch. There is no warning for limbs that
- *   the hull joins only because they are closer than twice the Offset.
+ * - A handle can be cut only through the inside of the object or through its points. The object
+ *   then has a handle, or parts that touch. There is no warning if the hull joined separate limbs
+ *   because they are closer than twice the Offset.
  * - More than 0.5 % of the points are outside of the hull and not near it.
  * - More than 0.5 % of the points are inside the hull and not near its surface.
  *
@@ -63,14 +64,16 @@
  *
  * DISTANCE computes the distance to the points at each node of a grid. It extracts the surface at a
  * small distance from the points, the Offset. A hole in the data is closed if the space behind the
- * hole is wider than the hole by the factor Persistence. That space is then inside. Limbs closer
- * than twice the Offset are first joined, and then separated in the middle between them.
+ * hole is wider than the hole by the factor Persistence. The space behind a closed hole is
+ * classified as inside. Limbs closer than twice the Offset are first joined, and then separated in
+ * the middle between them.
  *
  * WINDING_NUMBERS computes, at each node of a grid, the winding number of the points with their
- * normals: about 1 inside and 0 outside. The surface passes through the points, or through the
- * middle of their noise. A hole in the data is closed by a smooth continuation of the surface
- * around the hole. Normals are those of the input, or are estimated from the points by steepest
- * descent (S. Lin and others, 2022 and 2024; see Documentation/references.bib).
+ * normals: about 1 inside and 0 outside. The surface passes through the points. If the points are
+ * noisy, the surface passes through the middle of the noisy layer. A hole in the data is closed by
+ * a smooth continuation of the surface around the hole. Normals are those of the input, or are
+ * estimated from the points by steepest descent (S. Lin and others, 2022 and 2024; see
+ * Documentation/references.bib).
  *
  * @sa
  * vtkConformalSOM vtkGenusZeroCheck vtkSurfaceMismatch
@@ -102,22 +105,25 @@ public:
   /**
    * Method that classifies space as inside or outside. DISTANCE (default): by the distance to the
    * points, which closes holes smaller than the space behind them. WINDING_NUMBERS: by winding
-   * numbers of all points, for scans with large holes, hidden sides or noise. AUTOMATIC: by the
-   * distance. If the result seems wrong, AUTOMATIC uses winding numbers, unless their result also
-   * seems wrong.
+   * numbers (about 1 inside, 0 outside), for scans with large holes, hidden sides or noise.
+   * AUTOMATIC: by the distance. If the result seems wrong, AUTOMATIC uses winding numbers, unless
+   * the result of winding numbers also seems wrong.
    *
    * Winding numbers use the normals of the input's polygons, or the active normals if there are no
    * polygons. Inward normals are reversed. If the input has no normals, they are estimated from the
    * points. If the input's normals contradict each other, normals are also estimated, with a
-   * warning. With AUTOMATIC, the result by distance seems wrong in each of these cases:
-   * - A hole is as wide as the space behind the hole (Leaks).
+   * warning. With AUTOMATIC, the hull by distance seems wrong in any of these cases:
+   * - A hole in the data is about as wide as the space behind the hole ("Leaks" is 1).
    * - The points enclose nothing.
    * - The object has handles.
    * - More than 0.5 % of the points are outside and not near the hull.
    *
-   * The hull by winding numbers then replaces the hull by distance if it has no handles, leaves out
-   * few points, and finds little noise. If Leaks is 1, the noise does not matter. To compute the
-   * hull by winding numbers costs about one second on one thread.
+   * The hull by winding numbers then replaces the hull by distance under three conditions:
+   * - No handles of the object were cut in the hull by winding numbers.
+   * - Few points are outside of the hull by winding numbers.
+   * - The noise of the points is small. If "Leaks" is 1, this condition is not required.
+   *
+   * The computation of the hull by winding numbers costs about one second on one thread.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC, WINDING_NUMBERS);
   vtkGetMacro(Method, int);
@@ -154,9 +160,9 @@ public:
 
   ///@{
   /**
-   * Minimum ratio between the width of the space behind a hole in the data and the width of the
-   * hole. Used only if Method is DISTANCE. Holes with at least this ratio are closed. Other holes
-   * stay open: the space behind them is outside. In [1.1, 10]. Default is 1.5.
+   * Minimum ratio of the width of the space behind a hole in the data to the width of the hole.
+   * Used only if Method is DISTANCE. A hole with a larger ratio is closed. Other holes stay open:
+   * the space behind them is outside. In [1.1, 10]. Default is 1.5.
    */
   vtkSetClampMacro(Persistence, double, 1.1, 10.0);
   vtkGetMacro(Persistence, double);

@@ -3,9 +3,9 @@
  * @brief   remove handles, small holes and separate parts from a mesh, and change nothing else
  *
  * Repair a triangle mesh so that it is a closed surface of genus zero. The filter keeps the largest
- * connected part of the mesh and fills its holes. It cuts each handle along a short loop, which
- * runs around the handle or through its opening. Remaining triangles are not changed. The second
- * output has the loops. The field data report each repair.
+ * connected part of the mesh and fills its holes. The filter cuts each handle (like that of a cup)
+ * along a short loop, which runs around the handle or through its opening. Remaining triangles are
+ * not changed. The second output has the loops. The field data report each repair.
  *
  * Input port 0: vtkPolyData. Polygons and strips are treated as triangles; vertices and lines are
  * ignored.
@@ -19,9 +19,10 @@
  * - point array "OriginalPointIds" (vtkIdType): id of the input's point; -1 for added points.
  *   Points along a cut are duplicated.
  * - the input's numeric point arrays. An added point gets the mean value of the points around it.
- *   In integer arrays of 1 component (labels), it gets the most frequent label. A repair removes
- *   "SpherePosition", active normals, texture coordinates, and global and pedigree ids. It also
- *   removes cell arrays; use "OriginalCellIds" to look up their values in the input.
+ *   In integer arrays of 1 component (labels), an added point gets the most frequent label around
+ *   it. A repair removes "SpherePosition", active normals, texture coordinates, and global and
+ *   pedigree ids. A repair also removes cell arrays. Use "OriginalCellIds" to look up their values
+ *   in the input.
  *
  * Output port 1: vtkPolyData, one closed polyline for each hole or handle, with cell arrays
  * - "LoopType" (vtkIdType): 0 (FILLED_HOLE) for the boundary of a hole that was filled; 1
@@ -30,21 +31,22 @@
  *   handle; the opening was filled.
  * - "LoopLength" (double): length of the loop.
  * - "LoopAreaFraction" (double): area of the filling, as a fraction of the area of the surface. For
- *   a hole that was left open, it is the area that the filling would have.
+ *   a hole that was left open, the value is the area that a filling would have.
  *
  * Field data of port 0 (one value each, vtkIdType unless noted):
  * - "IsGenusZero": 1 if the output is a closed surface of genus zero, as in vtkGenusZeroCheck; 0 if
  *   a hole was left open.
  * - "EulerNumber": Euler number of the output.
  * - "NumberOfHandlesCut", "NumberOfTunnelsFilled": number of handles that were cut through, and
- *   number of handles whose openings were filled. The sum of both is the number of handles of the
- *   input's largest part.
+ *   number of handles whose openings were filled. The sum of the two numbers is the number of
+ *   handles of the input's largest part.
  * - "NumberOfBoundariesFilled", "NumberOfBoundariesLeft": numbers of holes that were filled and
  *   that were left open.
  * - "NumberOfPartsRemoved", "NumberOfTrianglesRemoved", "RemovedAreaFraction" (double): number of
  *   the removed parts, number of their triangles, and their fraction of the area of the input. All
  *   parts but the largest are removed.
- * - "NumberOfPointsMerged": number of coincident points of open edges that were merged.
+ * - "NumberOfPointsMerged": number of coincident points of open edges (edges of only one triangle)
+ *   that were merged.
  * - "NumberOfTrianglesTurned": number of triangles that were reversed for a consistent orientation.
  * - "NumberOfTrianglesDropped": number of dropped triangles: those with a repeated point, and
  *   duplicates.
@@ -59,12 +61,12 @@
  * If the largest part is not orientable, there is an error.
  *
  * The repair is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
- * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)), whose method needs
- * surfaces of genus zero. Each handle has loops around the handle, and loops through its opening.
- * The mesh is cut along a short loop of either kind, and both sides of the cut are filled (Wood and
- * others 2004). Loops are found by the methods of Eppstein 2003 and of Erickson and Whittlesey
- * 2005; see Documentation/references.bib. Both fillings of a cut have the same positions. A program
- * that merges points by coordinates would therefore join the sides again.
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The method of the
+ * paper needs surfaces of genus zero. Each handle has loops around the handle, and loops through
+ * its opening. The mesh is cut along a short loop of either kind, and both sides of the cut are
+ * filled (Wood and others 2004). Loops are found by the methods of Eppstein 2003 and of Erickson
+ * and Whittlesey 2005; see Documentation/references.bib. Both fillings of a cut have the same
+ * positions. A program that merges points by coordinates would therefore join the sides again.
  *
  * @sa
  * vtkGenusZeroCheck vtkGenusZeroHull vtkGlobalConformalMap vtkFillHolesFilter

@@ -4,8 +4,8 @@
  *
  * Make a geodesic sphere: an icosahedron whose triangles are subdivided and projected onto the unit
  * sphere. Let f be the Frequency. The mesh has 10 f^2 + 2 points and 20 f^2 triangles. The filter
- * vtkConformalSOM learns a surface by moving the points of such a mesh. The point array
- * "SpherePosition" also holds the points.
+ * vtkConformalSOM learns a surface by moving the points of a geodesic sphere. The coordinates of
+ * the points are also stored in the point array "SpherePosition".
  *
  * Output port 0: vtkPolyData, a closed triangle mesh of 10 f^2 + 2 points and 20 f^2 triangles,
  * where f is the Frequency. Points lie on the unit sphere around the origin. Triangles are

@@ -4,11 +4,12 @@
  *
  * Compute, for each point of a closed triangle mesh without handles, a position on the unit sphere,
  * so that angles of triangles are preserved. The positions are the point array "SpherePosition".
- * The field data state whether the map has converged, and the number of flipped triangles.
+ * The field data state whether the computation has converged, and the number of flipped triangles.
  *
  * Input port 0: vtkPolyData, a closed surface without handles. Polygons and strips are treated as
- * triangles. Coincident points of open edges are merged, triangles are oriented consistently, and
- * points that belong to no triangle are dropped. Each kind of change causes a warning.
+ * triangles. Coincident points of open edges (edges of only one triangle) are merged, triangles are
+ * oriented consistently, and points that belong to no triangle are dropped. Each kind of change
+ * causes a warning.
  *
  * Output port 0: the input, or only its triangles if one of the changes above was made, with
  * - point array "SpherePosition" (double, 3 components): position of the point on the unit sphere.
@@ -26,9 +27,9 @@
  *   infinite.
  * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles that are flipped or have no area on
  *   the sphere, by exact arithmetic.
- * - "SphereMapTier" (vtkIdType): number of the algorithm by which ROBUST succeeded. 0: linear
- *   equations were sufficient. 1: folded triangles were also repaired locally. 2: vertices were
- *   inserted one by one without folds. Algorithm 2 is used if AreaBalance is above 0, or if
+ * - "SphereMapTier" (vtkIdType): number of the algorithm with which Method ROBUST succeeded. 0:
+ *   linear equations were sufficient. 1: folded triangles were also repaired locally. 2: vertices
+ *   were inserted one by one without folds. Algorithm 2 is used if AreaBalance is above 0, or if
  *   triangles of the conformal map are too small for double precision.
  * - "NumberOfNegativeStringConstants" (vtkIdType): number of edges whose opposite angles add up to
  *   more than 180 degrees.
@@ -36,19 +37,20 @@
  *
  * Section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
  * seamless surface", Neurocomputing 71 (2008), compares its method with the global conformal
- * parameterization of X. Gu, S.-T. Yau. GUYAU is this parameterization, with the failures that the
- * paper shows. Obtuse triangles can cause negative string constants, and thus folds. Triangles
- * without area cause infinite string constants, which GUYAU ignores. ROBUST maps every surface one
- * to one.
+ * parameterization of X. Gu, S.-T. Yau. Method GUYAU is the parameterization of Gu and Yau. As
+ * shown in the paper, its maps can have folds. Obtuse triangles can cause negative string
+ * constants, and thus folds. Triangles without area cause infinite string constants, which GUYAU
+ * ignores. Method ROBUST maps every surface one to one.
  *
  * A conformal map is unique up to a Moebius transform, a conformal map of the sphere to itself.
  * ROBUST chooses the transform so that the mean of the sphere positions, weighted by area on the
- * surface, is the center of the sphere. ROBUST then rotates the sphere so that positions on the
- * sphere agree best with directions from the middle of the surface.
+ * surface, is the center of the sphere. ROBUST then rotates the sphere. After the rotation, the
+ * position of a point on the sphere agrees as well as possible with its direction from the middle
+ * of the surface.
  *
  * @note In a conformal map, a limb becomes exponentially smaller with its length. Keep
- * SpherePosition in double precision. If a program converts the map to float, triangles may appear
- * flipped that are not.
+ * SpherePosition in double precision. If a program converts the map to float, triangles that are
+ * not flipped may appear flipped.
  *
  * @sa
  * vtkConformalDistortion vtkCurvedSeamlessSurface vtkSphericalAlignment vtkConformalSOM
@@ -76,8 +78,8 @@ public:
   ///@{
   /**
    * Algorithm that computes the map. ROBUST (default): an algorithm without folds for every
-   * surface. GUYAU: the algorithm published by Gu and Yau, which may fold triangles near obtuse
-   * triangles.
+   * surface. GUYAU: the algorithm published by Gu and Yau. Near obtuse triangles, this algorithm
+   * can fold triangles.
    */
   vtkSetClampMacro(Method, int, ROBUST, GUYAU);
   vtkGetMacro(Method, int);

@@ -4,12 +4,13 @@
  *
  * Blend two pictures of an object into one image of the sphere. The image is a texture for the
  * texture coordinates that vtkSphericalTextureMap computes. Set the Projection of that filter to
- * one that covers the whole sphere (any but STEREOGRAPHIC). The middle of the front picture faces
- * the ViewDirection of that filter. The pictures fade into each other in a band around the equator
- * between front and back.
+ * one that covers the whole sphere (any but STEREOGRAPHIC). The middle of the front picture is on
+ * the side of the surface that faces the ViewDirection of that filter. The pictures fade into each
+ * other in a band around the equator between front and back.
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
- * "SpherePosition" (3 components). Its field data define the placement of the image on the sphere.
+ * "SpherePosition" (3 components). The field data of that filter define the placement of the image
+ * on the sphere.
  *
  * Input port 1: vtkImageData, the front picture: one slice, scalars of any type and number of
  * components. The middle of the picture is at the direction "SpherePole" in the surface's field
@@ -30,7 +31,7 @@
  * If the poles are opposite, this curve is the equator between them.
  *
  * Implementation note: the paper uses one picture. Here a second picture covers the part of the
- * sphere that the first picture does not show, and the border between.
+ * sphere that the first picture does not show, and the border between the pictures.
  *
  * @sa
  * vtkSphericalTextureMap vtkSphericalTextureImage
@@ -83,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Angle on the sphere, in degrees, across the circle inscribed in each picture. If this angle is
-   * at least 180 plus BlendAngle, each picture covers the whole band in which the pictures fade
-   * into each other. In [0.001, 340]. Default is 210.
+   * Angle on the sphere, in degrees, that the inscribed circle of each picture covers. If this
+   * angle is at least 180 plus BlendAngle, each picture covers the whole band in which the pictures
+   * fade into each other. In [0.001, 340]. Default is 210.
    */
   vtkSetClampMacro(FieldOfView, double, 0.001, 340.0);
   vtkGetMacro(FieldOfView, double);

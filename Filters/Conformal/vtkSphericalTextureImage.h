@@ -2,20 +2,22 @@
  * @class   vtkSphericalTextureImage
  * @brief   bake colors or other point data of a surface into an image of the sphere
  *
- * Make an image from the colors or another point array of a surface. With the texture coordinates
- * that vtkSphericalTextureMap computes, this image is a texture that shows the values on the
- * surface. Save the image as PNG, and load it as a Texture. The point array OutsideSurface of the
- * image is 1 where the map to the sphere has a hole.
+ * Make an image from the colors or another point array of a surface. The filter
+ * vtkSphericalTextureMap computes texture coordinates of the surface. With these texture
+ * coordinates, the image is a texture that shows the values on the surface. Save the image as PNG,
+ * and load it as a Texture. The point array OutsideSurface of the image is 1 where the map to the
+ * sphere has a hole: no triangle of the surface is mapped there.
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
- * "SpherePosition" (3 components). Its field data define the placement of the image on the sphere.
- * The surface may be cut along seams (SplitSeam). Polygons and strips are treated as triangles.
+ * "SpherePosition" (3 components). The field data of that filter define the placement of the image
+ * on the sphere. The surface can be cut along seams, by the property SplitSeam of that filter.
+ * Polygons and strips are treated as triangles.
  *
  * Input port 1, optional: vtkPointSet, the source of the values. Without this input, the values are
  * those of the surface. Each pixel shows a point of the surface. The pixel gets the value of the
  * source at the position closest to this point. If the source is a vtkPolyData with triangles, this
- * is a position on the triangles, otherwise one of the points. The image can thus show all colors
- * of a scan on a mesh with far fewer points.
+ * position is on the triangles. Otherwise, it is one of the source's points. The image can thus
+ * show all colors of a scan, even if the mesh has far fewer points than the scan.
  *
  * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the texture
  * coordinates (s, t) of its middle.
@@ -25,20 +27,21 @@
  *   hole, otherwise 0. In holes, the baked values are 0.
  *
  * With several processes (Controller), each process has a piece of the source, which may be empty.
- * The surface is that of the first process with a surface. This process must have the whole
- * surface. Each process gets the whole image. The image is equal bit by bit for any number of
- * processes. The points of a source without triangles remain on their process; triangles of a
- * source are gathered on each process. Without a source, each process bakes its local surface.
+ * If several processes have a surface, the surface of the first process is used. This process must
+ * have the whole surface. Each process gets the whole image. The image is equal bit by bit for any
+ * number of processes. If the source has no triangles, its points remain on their process.
+ * Otherwise, its triangles are copied to all processes. Without a source, each process bakes its
+ * local surface.
  *
- * At each seam, the image is padded with the values from the other side of the seam. The width of
- * the padding is the Margin of vtkSphericalTextureMap.
+ * At each seam, the image has a margin with the values from the other side of the seam. The
+ * property Margin of vtkSphericalTextureMap is the width of this margin.
  *
  * The filter inverts the texture mapping of section 4.2 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
  * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008).
  *
  * Implementation note: a pixel shows the point of the surface whose position on the sphere is in
- * the direction of the pixel's middle. If many vertices fall into one pixel, the image undersamples
- * the surface.
+ * the direction of the pixel's middle. If many vertices are mapped into one pixel, the image loses
+ * details of the surface.
  *
  * @sa
  * vtkSphericalTextureMap vtkTexturedSurfaceWriter
@@ -94,10 +97,10 @@ public:
 
   ///@{
   /**
-   * Width and height of the image in pixels. For square pixels on the sphere's equator, choose a
-   * ratio of 2 : 1 for LONGITUDE_LATITUDE, 3 : 2 for CUBE_MAP (square faces), and 1 : 1 for other
-   * projections. At least (1, 1). The number of pixels must fit into an int. Default is (1024,
-   * 1024).
+   * Width and height of the image in pixels. For square pixels, choose the ratio of width to height
+   * by the Projection of vtkSphericalTextureMap. The ratio is 2 : 1 for LONGITUDE_LATITUDE, 3 : 2
+   * for CUBE_MAP, and 1 : 1 for other projections. At least (1, 1). The number of pixels must fit
+   * into an int. Default is (1024, 1024).
    */
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);

@@ -42,9 +42,9 @@
  * of the image. Here the line of sight passes through the centroid of the surface's area. The pole
  * is the position on the sphere of the first intersection of this line with the surface. If there
  * is no intersection, the vertex nearest to the viewer defines the pole. With UseViewPoint, the
- * point of the surface closest to ViewPoint defines the pole. For the viewer, the image is not
- * mirrored. Before Rotation, the image is also upright for the viewer, on average over a cap around
- * the pole. The radius of the cap is an eighth of FieldOfView.
+ * point of the surface closest to ViewPoint defines the pole. The viewer sees the image unmirrored.
+ * Before the property Rotation is applied, the image is also upright for the viewer, on average
+ * over a cap around the pole. The radius of the cap is an eighth of FieldOfView.
  *
  * @sa
  * vtkSphericalTextureImage vtkCurvedSeamlessSurface vtkConformalSOM vtkTextureMapToSphere
@@ -116,8 +116,8 @@ public:
   /**
    * Projection of the image. STEREOGRAPHIC (default): the paper's conformal projection, for one
    * picture from one side. LONGITUDE_LATITUDE (images of 2 : 1), OCTAHEDRAL (1 : 1) and CUBE_MAP (3
-   * : 2) show the whole sphere. These three projections have seams, along which SplitSeam cuts the
-   * surface.
+   * : 2) show the whole sphere. These three projections have seams, at which the image is
+   * discontinuous. SplitSeam cuts the surface along the seams.
    */
   vtkSetClampMacro(Projection, int, STEREOGRAPHIC, CUBE_MAP);
   vtkGetMacro(Projection, int);
@@ -129,7 +129,7 @@ public:
 
   ///@{
   /**
-   * Angle on the sphere, in degrees, across the circle inscribed in the image. With 180, this
+   * Angle on the sphere, in degrees, that the inscribed circle of the image covers. With 180, the
    * circle is the equator: the image covers a hemisphere, and a little more in its corners. Used
    * only by STEREOGRAPHIC. In [0.001, 340]. Default is 180.
    */
@@ -170,8 +170,8 @@ public:
   /**
    * Extension of the image beyond its borders. CLAMP (default): the color of the border continues.
    * REPEAT: the image is repeated; texture coordinates are then also outside of [0, 1], and the
-   * texture must be set to repeat. MIRROR: the image is mirrored at its borders, along which
-   * SplitSeam cuts the surface.
+   * texture must be set to repeat. MIRROR: the image is mirrored at its borders. SplitSeam then
+   * cuts the surface along the borders.
    */
   vtkSetClampMacro(Wrap, int, CLAMP, MIRROR);
   vtkGetMacro(Wrap, int);
@@ -199,9 +199,9 @@ public:
   ///@{
   /**
    * Width of the margin along the seams of OCTAHEDRAL and CUBE_MAP, as a fraction of the side of
-   * the image (CUBE_MAP: of a face). In an image of vtkSphericalTextureImage, the margin has the
-   * values of the other side of the seam. A renderer that interpolates between pixels thus shows no
-   * visible seam. In [0, 0.25]. Default is 0.
+   * the image (for CUBE_MAP: of a face). In an image of vtkSphericalTextureImage, the margin has
+   * the values of the other side of the seam. The seam is thus invisible, even if the renderer
+   * interpolates between pixels. In [0, 0.25]. Default is 0.
    */
   vtkSetClampMacro(Margin, double, 0.0, 0.25);
   vtkGetMacro(Margin, double);

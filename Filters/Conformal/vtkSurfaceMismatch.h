@@ -4,14 +4,14 @@
  *
  * Measure the distance of each point of a surface, the model, from a reference, and of each point
  * of the reference from the model. Both outputs have the distances as the point array Distance. The
- * field data of the first output hold mean square distances and the largest distance.
- * MeanSquarePointToSurface is the mismatch error E_mis of the paper.
+ * field data of the first output hold mean square distances and the largest distance. The field
+ * data array MeanSquarePointToSurface is the mismatch error E_mis of Liou, Kuo and Huang (2008).
  *
  * Input port 0: vtkPolyData, the model, a surface. Polygons and strips are treated as triangles.
  *
- * Input port 1: vtkPolyData, the reference, a surface or a cloud of points. The distance to a
- * reference without polygons is the distance to its nearest point. All points of the reference are
- * used, including points that belong to no polygon.
+ * Input port 1: vtkPolyData, the reference, a surface or a cloud of points. If the reference has no
+ * polygons, distances to the reference are distances to its nearest point. All points of the
+ * reference are used, including points that belong to no polygon.
  *
  * Output port 0: vtkPolyData, the model.
  *
@@ -19,31 +19,33 @@
  * - point array "Distance" (double, 1 component): distance from a point of the model to the
  *   reference, or from a point of the reference to the model, in units of the coordinates.
  *
- * Field data of output port 0 (double, one value each). All lengths except "LengthUnit" are in the
- * unit chosen by the property LengthUnit:
+ * Field data of output port 0 (double, one value each). The property LengthUnit selects the unit of
+ * the distances. Squared distances have the squared unit.
  * - "MeanSquarePointToSurface": mean square distance from the reference's points to the model's
- *   surface, the mismatch error E_mis of the paper.
+ *   surface, the mismatch error E_mis of the paper cited below.
  * - "MeanSquarePointToVertex": mean square distance from the reference's points to the model's
  *   nearest vertex.
  * - "MeanSquareSurfaceToPoint": mean square distance from random samples of the model, uniform over
- *   its area, to the reference. This value and the next two detect webs, parts of the model that
- *   span a gap between two limbs. E_mis does not detect webs.
+ *   its area, to the reference. This value, "HausdorffDistance" and "WebFraction" detect webs,
+ *   parts of the model that span a gap between two limbs. E_mis does not detect webs.
  * - "HausdorffDistance": the largest of all distances from model to reference and from reference to
  *   model.
- * - "RootMeanSquareNormalAngle": root mean square angle in degrees, from 0 to 90, between the
- *   model's triangles and the reference's triangles, over the samples of the model. Each sample is
- *   compared with the triangle that contains its closest point. A reference without polygons has
- *   no normals, and then the array does not exist.
- * - "WebFraction": fraction of the model's area that is farther from the reference than 0.02 units
- *   of length.
- * - "LengthUnit": the unit of length of the other values, in units of the coordinates.
+ * - "RootMeanSquareNormalAngle": root mean square angle between the normals of model and reference,
+ *   in degrees, from 0 to 90. At each random sample of the model, the normal of the model's
+ *   triangle is compared with the normal of the reference's closest triangle. If the reference has
+ *   no polygons, this array does not exist.
+ * - "WebFraction": fraction of the model's area that is farther from the reference than 0.02. This
+ *   distance is in the unit selected by the property LengthUnit.
+ * - "LengthUnit": length of the unit that the property LengthUnit selects, in units of the
+ *   coordinates.
  *
  * With several processes (Controller), each process has a piece of the reference, which may be
- * empty. Each process has the whole model, a piece, or nothing. Model and reference are the union
- * of the pieces of all processes. The field data are equal on all processes, and equal bit by bit
- * for any number of processes. The array "Distance" of a process is that of its local points. The
- * points of a cloud remain on their process. The model, and a reference with triangles, are
- * gathered on each process.
+ * empty. Each process has the whole model, a piece, or nothing. The complete model is the union of
+ * its pieces on all processes, and the complete reference is the union of its pieces. The field
+ * data are equal on all processes, and equal bit by bit for any number of processes. On each
+ * process, the array "Distance" contains the distances of the local points only. If the reference
+ * is a cloud, its points remain on their process. The model, and a reference with triangles, are
+ * copied to all processes.
  *
  * Section 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved
  * seamless surface", Neurocomputing 71 (2008), defines E_mis.
@@ -77,9 +79,9 @@ public:
 
   ///@{
   /**
-   * Unit of length of the distances in the field data. MAX_RADIUS (default): the largest distance
-   * of a reference point from the centroid of all reference points. HALF_DIAGONAL: half the
-   * diagonal of the reference's bounding box. NONE: the unit of the coordinates.
+   * Unit of the distances in the field data. MAX_RADIUS (default): the largest distance of a
+   * reference point from the centroid of all reference points. HALF_DIAGONAL: half the diagonal of
+   * the reference's bounding box. NONE: the unit of the coordinates.
    */
   vtkSetClampMacro(LengthUnit, int, MAX_RADIUS, NONE);
   vtkGetMacro(LengthUnit, int);

@@ -3,24 +3,26 @@
  * @brief   put mapped surfaces on one mesh, with their mean shape and principal components
  *
  * Resample several surfaces that are mapped to the sphere, so that all of them have the same
- * triangles and corresponding points. Points of two surfaces correspond if they have the same
- * position on the sphere, the point array "SpherePosition". The second output is the mean shape
- * with its principal components, the main differences between the shapes.
+ * triangles and corresponding points. The point array "SpherePosition" is the position of each
+ * point on the sphere. Points with the same position correspond. The second output is the mean
+ * shape with its principal components, which describe the main differences between the shapes.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, as separate inputs or as blocks of
  * composite data, with the point array "SpherePosition". Polygons and strips are cut into
  * triangles. Each surface has
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
  *   sphere. Points with equal positions correspond. The surface must be closed, and the map must
- *   cover the sphere exactly once. Either all maps mirror their surfaces, or no map does.
+ *   cover the sphere exactly once. Either all maps reverse the orientation of the triangles, or no
+ *   map does.
  *
  * Output port 0: vtkMultiBlockDataSet with one block for each surface, in the sequence of the
- * inputs, with the names of the input's blocks. A block is a vtkPolyData. A direction is a point of
- * the unit sphere. The points of a block are the points of one surface in a set of directions,
- * which is the same for all blocks. The polygons of all blocks are identical. Blocks are not
- * aligned.
+ * inputs, with the names of the input's blocks. A block is a vtkPolyData. Positions on the unit
+ * sphere are called directions. Each block contains, for each direction of a common set, the point
+ * of its surface that is mapped to this direction. The polygons of all blocks are identical. The
+ * blocks keep the coordinates of the inputs: Alignment affects only output port 1 and the array
+ * "ShapeScores".
  * - point array "SpherePosition" (double, 3 components): the directions.
- * - the point arrays of the surface, interpolated as in vtkSphericalResample.
+ * - the point arrays of the surface, interpolated at the new points as in vtkSphericalResample.
  * - field data "MeanSquarePointToSurface" (double): mean square distance between the points of the
  *   input surface and the block, as in vtkSurfaceMismatch. The unit of length is the largest
  *   distance of a point of the surface from its centroid.
@@ -28,20 +30,22 @@
  *   coordinates of the shape along the principal components, called modes. The unit of a coordinate
  *   is the standard deviation of the mode. The mean shape has the score 0.
  *
- * Output port 1: vtkPolyData, the mean shape on the same mesh, computed after Alignment of the
- * surfaces. The position and orientation of the mean shape are those of the first surface.
+ * Output port 1: vtkPolyData, the mean shape on the same mesh. The mean is computed after the
+ * surfaces are aligned (property Alignment). The position and orientation of the mean shape are
+ * those of the first surface.
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement of
  *   each point of the mean shape for one standard deviation of a principal component. If all modes
- *   are kept, each aligned shape is the mean shape plus the sum of its scores times the modes.
- * - the point arrays that all surfaces have. A value is the mean over the surfaces. In integer
- *   arrays with 1 component (labels), it is the most frequent label.
+ *   are kept, each aligned shape is the mean shape plus a sum over the modes: the score of the
+ *   shape times the mode.
+ * - the point arrays that all surfaces have. Each value is the mean over the surfaces. In integer
+ *   arrays with 1 component (labels), each value is the most frequent label.
  * - field data "ExplainedVariance" (double, one value per mode; absent if there are no modes):
  *   fraction of the variance of the shapes that the mode explains.
  *
  * For alignment, mean and modes, each point is weighted by the area around it, averaged over the
- * surfaces. The result therefore does not depend on where the mesh is dense. The output is equal
- * bit by bit for any number of threads.
+ * surfaces. Dense regions of the mesh therefore have no larger influence than other regions. The
+ * output is equal bit by bit for any number of threads.
  *
  * Implementation note: shapes are aligned by the generalized Procrustes analysis of J. C. Gower,
  * Psychometrika 40 (1975).
@@ -80,9 +84,10 @@ public:
 
   ///@{
   /**
-   * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces,
-   * averaged over all surfaces. The mesh of the sphere is then dense in regions that are large on a
-   * surface. GEODESIC: points are uniform over the sphere.
+   * Type of the mesh of the sphere. ADAPTIVE (default): points that are uniform over one surface
+   * have a certain density on the sphere. The density of the mesh is the mean of these densities
+   * over all surfaces. Regions of the sphere that are large on the surfaces thus have many points.
+   * GEODESIC: points are uniform over the sphere.
    */
   vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -92,8 +97,9 @@ public:
 
   ///@{
   /**
-   * Frequency f of the geodesic sphere (vtkGeodesicSphereSource) if MeshType is GEODESIC. The
-   * sphere has 10 f^2 + 2 points. In [1, 10000]. Default is 45: 20,252 points.
+   * If MeshType is GEODESIC: frequency f of the geodesic sphere, a subdivided icosahedron
+   * (vtkGeodesicSphereSource). The sphere has 10 f^2 + 2 points. In [1, 10000]. Default is 45:
+   * 20,252 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 10000);
   vtkGetMacro(Frequency, int);
@@ -111,8 +117,8 @@ public:
   ///@{
   /**
    * Differences between the shapes that are removed before mean and principal components are
-   * computed. NONE: no difference. RIGID (default): position and orientation. SIMILARITY: position,
-   * orientation and size.
+   * computed. NONE: no differences are removed. RIGID (default): position and orientation.
+   * SIMILARITY: position, orientation and size.
    */
   vtkSetClampMacro(Alignment, int, NONE, SIMILARITY);
   vtkGetMacro(Alignment, int);
@@ -123,8 +129,9 @@ public:
 
   ///@{
   /**
-   * Maximum number of principal components to keep, those of the largest variance first. The number
-   * of components is less than the number of surfaces. In [0, 1000]. Default is 10.
+   * Maximum number of principal components (modes) to keep. The components with the largest
+   * variance are kept. There are always fewer components than surfaces. In [0, 1000]. Default is
+   * 10.
    */
   vtkSetClampMacro(NumberOfModes, int, 0, 1000);
   vtkGetMacro(NumberOfModes, int);

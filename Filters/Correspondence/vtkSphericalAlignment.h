@@ -2,11 +2,11 @@
  * @class   vtkSphericalAlignment
  * @brief   align the sphere map of one surface with the sphere map of another surface
  *
- * Rotate or transform a surface's map to the sphere, the point array "SpherePosition", so that it
- * agrees best with the map of a reference surface. Landmarks are given pairs of corresponding
- * points. Without landmarks, each point corresponds to the nearest point of the other surface, and
- * the two surfaces must overlap in space. The field array AlignmentError is the remaining distance
- * between corresponding points.
+ * A surface is mapped to the sphere by the point array "SpherePosition". Rotate or transform this
+ * map so that it agrees best with the map of a reference surface. Landmarks are given pairs of
+ * corresponding points. Without landmarks, each point corresponds to the nearest point of the other
+ * surface, and the two surfaces must overlap in space. The field array AlignmentError is the
+ * remaining distance between corresponding points.
  *
  * Input port 0: vtkPolyData, the surface whose map is transformed, with the point array
  * "SpherePosition" (3 components).
@@ -19,10 +19,10 @@
  * Field data (double):
  * - "AlignmentError" (one value): root mean square distance between corresponding points on the
  *   unit sphere, after the transform.
- * - "AlignmentCenter" (3 components): the point of the unit ball that the Moebius transform moves
- *   to the center; the zero vector for a rotation.
- * - "AlignmentRotation" (9 components): the rotation that is applied after the move to the center,
- *   as a matrix, row by row.
+ * - "AlignmentCenter" (3 components): the point of the unit ball that the Moebius transform (see
+ *   below) moves to the center. For a rotation, this is the zero vector.
+ * - "AlignmentRotation" (9 components): the rotation as a matrix, row by row. It is applied after
+ *   the move to the center.
  *
  * A landmark consists of one point of each surface. Without landmarks, each point is weighted by
  * the area around the point. Surfaces that overlap in space are, for example, a scan and a mesh
@@ -30,9 +30,10 @@
  *
  * A Moebius transform is a conformal map of the sphere to itself. A conformal map of a surface to
  * the sphere is unique up to a Moebius transform. A Moebius transform can move any three points to
- * any three positions. Maps as in sections 2 and 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang,
- * "Conformal self-organizing map on curved seamless surface", Neurocomputing 71 (2008), are
- * therefore comparable only after an alignment.
+ * any three positions. Two maps of one surface can therefore differ by a Moebius transform. This
+ * holds for the maps in sections 2 and 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
+ * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). To compare two maps,
+ * align them first.
  *
  * @sa
  * vtkGlobalConformalMap vtkConformalSOM

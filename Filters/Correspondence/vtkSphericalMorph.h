@@ -2,10 +2,11 @@
  * @class   vtkSphericalMorph
  * @brief   morph between two or more mapped surfaces, also as time steps
  *
- * Compute a shape between two or more surfaces that are mapped to the sphere. Points of two
- * surfaces correspond if they have the same position on the sphere, the point array
- * "SpherePosition". Use vtkSphericalAlignment first, if necessary. Colors and other point arrays
- * that all surfaces have are blended. With GenerateTimeSteps, the time slider plays the morph.
+ * Compute a shape between two or more surfaces that are mapped to the sphere. The point array
+ * "SpherePosition" is the position of each point on the sphere. Points with the same position
+ * correspond. If the maps of the surfaces are not aligned, apply vtkSphericalAlignment first.
+ * Colors and other point arrays that all surfaces have are blended. With GenerateTimeSteps, the
+ * output has time steps, so that the morph can be played as an animation.
  *
  * Input port 0: vtkPolyData, the first surface, or composite data of several surfaces, with the
  * point array "SpherePosition". Polygons and strips are cut into triangles.
@@ -15,32 +16,33 @@
  * Each surface has
  * - point array "SpherePosition" (3 components, of any length but 0): position of the point on the
  *   sphere. Points with equal positions correspond. The map must cover the sphere exactly once.
- *   Either all maps mirror their surfaces, or no map does.
+ *   Either all maps reverse the orientation of the triangles, or no map does.
  *
- * Output port 0: vtkPolyData, the morphed surface, a closed triangle mesh. A direction is a point
- * of the unit sphere. All surfaces are sampled in the directions given by the points of one mesh of
- * the sphere. A point of the output is the weighted sum of the surfaces' points in one direction.
- * If one surface has weight 1, the output is this surface, sampled in these directions. The output
- * is equal bit by bit for any number of threads.
+ * Output port 0: vtkPolyData, the morphed surface, a closed triangle mesh. Positions on the unit
+ * sphere are called directions. The points of one mesh of the sphere are the directions in which
+ * all surfaces are sampled. The sample of a surface in a direction is the point of the surface that
+ * is mapped to this direction. With Path LINEAR, a point of the output is the weighted sum of all
+ * samples in one direction. If one surface has weight 1, the output consists of the samples of this
+ * surface. The output is equal bit by bit for any number of threads.
  * - point array "SpherePosition" (double, 3 components): the directions. A texture that is an image
- *   of the sphere fits the output as it fits the surfaces.
+ *   of the sphere can be applied to the output, as to the input surfaces.
  * - every numeric point array that all surfaces have with the same name and number of components.
- *   Numbers are weighted sums, so that colors cross-fade. Labels (integer arrays with 1 component)
- *   are not mixed: a point gets the label of the largest total weight.
+ *   Numbers are weighted sums, so that colors change gradually. Labels (integer arrays with 1
+ *   component) are not mixed: a point gets the label of the largest total weight.
  *
  * Field data (double):
  * - "MorphWeights" (1 component, one value for each surface): the weights, whose sum is 1.
  *
  * If GenerateTimeSteps is on, the filter offers time steps from 0 to 1, and uses the requested time
- * as MorphFactor. An animation thus plays the morph. The sampled surfaces do not depend on
- * MorphFactor. The filter keeps the sampled surfaces until an input or a property of the mesh
- * changes.
+ * as MorphFactor. An animation thus plays the morph. The filter keeps the samples of the surfaces
+ * in memory until an input or a property of the mesh changes. After a change of MorphFactor, the
+ * surfaces are not sampled again.
  *
  * Implementation note: Path RIGID interpolates deformation gradients (linear maps between
  * corresponding triangles) as in D. Xu, H. Zhang, Q. Wang, H. Bao, "Poisson shape interpolation",
- * Graphical Models 68 (2006). RIGID propagates rotations from triangle to triangle. A part may
- * therefore rotate by more than 180 degrees relative to the whole surface. The rotation must be
- * less than 360 degrees.
+ * Graphical Models 68 (2006). RIGID chooses similar rotations for neighboring triangles. The morph
+ * is therefore correct even if a part rotates by more than 180 degrees relative to the whole
+ * surface. The rotation must be less than 360 degrees.
  *
  * @sa
  * vtkSphericalAlignment vtkConsistentRemesh vtkSphericalResample vtkSphericalTextureMap
@@ -52,7 +54,7 @@
 #include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for what is kept
+#include <memory> // for std::shared_ptr
 #include <vector> // for Weights
 
 class vtkAlgorithmOutput;
@@ -79,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Morph factor: 0 gives the first surface, and 1 the last surface. If there are more than two
-   * surfaces, the others are at equal steps between 0 and 1. In [0, 1]. Default is 0.5.
+   * Morph factor: 0 gives the first surface, and 1 the last surface. Further surfaces are at equal
+   * steps between 0 and 1. In [0, 1]. Default is 0.5.
    */
   vtkSetClampMacro(MorphFactor, double, 0.0, 1.0);
   vtkGetMacro(MorphFactor, double);
@@ -88,9 +90,9 @@ public:
 
   ///@{
   /**
-   * Add the weight of the next surface. Weights replace MorphFactor: add one weight for each
-   * surface, in the sequence of the surfaces. Weights are at least 0, and not all are 0. The filter
-   * divides all weights by their sum. Default is none: MorphFactor is used.
+   * Add the weight of the next surface. If there are weights, MorphFactor is not used. Add one
+   * weight for each surface, in the sequence of the surfaces. Weights are at least 0, and not all
+   * are 0. The filter divides all weights by their sum. Default is none: MorphFactor is used.
    */
   void AddWeight(double weight);
   void RemoveAllWeights();
@@ -101,7 +103,7 @@ public:
   /**
    * Path of the points. LINEAR (default): points move along straight lines, so that rotating parts
    * become smaller in the middle of the morph. RIGID: rotation and stretch of each triangle are
-   * interpolated, then a linear system joins the triangles. A rotating limb thus keeps its size.
+   * interpolated. A linear system then joins the triangles. Rotating parts thus keep their size.
    */
   vtkSetClampMacro(Path, int, LINEAR, RIGID);
   vtkGetMacro(Path, int);
@@ -111,9 +113,10 @@ public:
 
   ///@{
   /**
-   * Type of the mesh of the sphere. ADAPTIVE (default): points are uniform over the surfaces,
-   * averaged over all surfaces. The mesh of the sphere is then dense in regions that are large on a
-   * surface. GEODESIC: points are uniform over the sphere.
+   * Type of the mesh of the sphere. ADAPTIVE (default): points that are uniform over one surface
+   * have a certain density on the sphere. The density of the mesh is the mean of these densities
+   * over all surfaces. Regions of the sphere that are large on the surfaces thus have many points.
+   * GEODESIC: points are uniform over the sphere.
    */
   vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(MeshType, int);
@@ -123,8 +126,9 @@ public:
 
   ///@{
   /**
-   * Frequency f of the geodesic sphere (vtkGeodesicSphereSource) if MeshType is GEODESIC. The
-   * sphere has 10 f^2 + 2 points. In [1, 10000]. Default is 45: 20,252 points.
+   * If MeshType is GEODESIC: frequency f of the geodesic sphere, a subdivided icosahedron
+   * (vtkGeodesicSphereSource). The sphere has 10 f^2 + 2 points. In [1, 10000]. Default is 45:
+   * 20,252 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 10000);
   vtkGetMacro(Frequency, int);

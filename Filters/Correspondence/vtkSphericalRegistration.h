@@ -2,18 +2,20 @@
  * @class   vtkSphericalRegistration
  * @brief   deform the sphere map of one surface until it corresponds to the sphere map of another
  *
- * Deform the map of a surface to the sphere, its point array "SpherePosition". Corresponding points
- * of this surface and a second, fixed surface then have the same position on the sphere.
- * Corresponding points are found by landmarks (given pairs of points), by point arrays, or by the
- * shape of both surfaces. No triangle of the map folds. The arrays TargetCellId, TargetPointIds and
- * TargetBarycentric hold, for each point, the corresponding point of the fixed surface.
+ * A surface is mapped to the sphere by its point array "SpherePosition". Deform this map until
+ * corresponding points of the surface and of a second, fixed surface have the same position on the
+ * sphere. Corresponding points are found by landmarks (given pairs of points), by point arrays, or
+ * by the shape of both surfaces. No triangle of the map folds. The arrays TargetCellId,
+ * TargetPointIds and TargetBarycentric hold, for each point, the corresponding point of the fixed
+ * surface.
  *
  * Input port 0: vtkPolyData, the moving surface, whose map is deformed: closed, of genus zero, with
  * the point array "SpherePosition" (3 components). This map must cover the sphere once without
  * folds.
  *
- * Input port 1: vtkPolyData, the fixed surface: closed, of genus zero, with a map that fulfills the
- * requirements of input port 0.
+ * Input port 1: vtkPolyData, the fixed surface: closed, of genus zero, with the point array
+ * "SpherePosition" (3 components). The map of this surface must also cover the sphere once without
+ * folds.
  *
  * Output port 0: the input of port 0, with
  * - point array "SpherePosition" (double, 3 components): the deformed map. Points of both surfaces
@@ -31,22 +33,24 @@
  *   isometric, and larger otherwise.
  * - "LandmarkError" (1 double): largest distance on the unit sphere between two corresponding
  *   landmarks, after the registration.
- * - "FeatureAgreement" (2 double): weighted mean of the correlations between the features of both
- *   surfaces. The first value is computed before the registration, and the second value after it.
- *   Features are described below.
+ * - "FeatureAgreement" (2 double): agreement of the features, which are described below. For each
+ *   feature, the correlation between the two surfaces is computed. The value is the weighted mean
+ *   of these correlations. The first value is computed before the registration, and the second
+ *   value after it.
  * - "NumberOfFolds" (1 idtype): number of flipped triangles of the deformed map, by exact
  *   arithmetic.
  *
- * Features are numbers at the points of both surfaces that should be equal at corresponding points.
- * The filter computes five features of each point. The first is the mean distance along the surface
- * to all other points. Two features are the area of the surface near the point, at two scales. The
- * last two are the mean curvature near the point, at two scales. Point arrays added by AddFeature()
- * are further features. The filter first rotates the map. Two or more landmarks determine the
- * rotation. With fewer landmarks, the filter selects several rotations for which the features agree
- * best. The rotated maps are then deformed, and the result with the lowest score is kept. The score
- * is the sum of four penalties: stretch, disagreement of features, difference of the shapes after
- * the best rotation in space, and distances between corresponding landmarks. Mirror images are
- * never tried.
+ * A feature is a number at each point of both surfaces. Corresponding points should have equal
+ * features. The filter computes five features of each point. The first is the mean distance along
+ * the surface to all other points. Two features are the area of the surface near the point, at two
+ * scales. The last two are the mean curvature near the point, at two scales. Point arrays added by
+ * AddFeature() are further features.
+ *
+ * The filter first rotates the map. Two or more landmarks determine the rotation. With fewer
+ * landmarks, the filter selects several rotations for which the features agree best. The rotated
+ * maps are then deformed, and the result with the lowest score is kept. The score is the sum of
+ * four penalties: stretch, disagreement of features, difference of the shapes after the best
+ * rotation in space, and distances between corresponding landmarks. Mirrored maps are never tried.
  *
  * Landmarks are matched as closely as the map allows without folds. If some landmarks are not
  * matched, a warning states their number.
@@ -98,7 +102,8 @@ public:
    * Weight of the features that the filter computes from the shape of the surfaces. 0 disables
    * these features. In [0, 1000]. Default is 1.
    *
-   * The features are mean distance along the surface, nearby area, and mean curvature.
+   * These features are the mean distance to other points along the surface, the nearby area, and
+   * the mean curvature.
    */
   vtkSetClampMacro(ShapeWeight, double, 0.0, 1000.0);
   vtkGetMacro(ShapeWeight, double);
@@ -147,10 +152,11 @@ public:
 
   ///@{
   /**
-   * Add a feature to match: the name of a point array with 1 component that both surfaces have, and
-   * a weight. The weight is finite and at least 0. A weight is relative to StretchWeight, the
-   * weight of the stretch. On each surface, the values of the array are shifted and scaled to mean
-   * 0 and variance 1. Default is none.
+   * Add a feature, a number at each point that should be equal at corresponding points. The
+   * arguments are the name of a point array with 1 component, which both surfaces have, and a
+   * weight. The weight is finite and at least 0, and is relative to StretchWeight, the weight of
+   * the stretch. On each surface, the values of the array are shifted and scaled to mean 0 and
+   * variance 1. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();

@@ -2,11 +2,11 @@
  * @class   vtkSphericalResample
  * @brief   transfer point arrays from one surface to another by their maps to the sphere
  *
- * Transfer the point arrays of one surface, the source, to another surface, the target. Points of
- * both surfaces correspond if they have the same position on the sphere, the point array
- * "SpherePosition". The maps must be aligned, as after vtkSphericalAlignment. Numbers and colors
- * are averaged. For labels and masks (integer arrays with 1 component), the value with the largest
- * total weight is used.
+ * Transfer the point arrays of one surface, the source, to another surface, the target. The point
+ * array "SpherePosition" is the position of each point on the sphere. Points of the two surfaces
+ * with the same position correspond. The maps must be aligned, as after vtkSphericalAlignment.
+ * Numbers and colors are averaged. For labels and masks (integer arrays with 1 component), the
+ * value with the largest total weight is used.
  *
  * Input port 0: vtkPolyData, the target: the surface that gets the arrays. This surface has the
  * point array "SpherePosition", or its points are on a sphere around the origin. Polygons and
@@ -17,26 +17,27 @@
  *   the point on the sphere. Points with equal positions correspond. The surface must be closed,
  *   and the map must cover the sphere once. If Method is BARYCENTRIC, the target need not be
  *   closed, and may have no triangles. Without this array, the coordinates of the points are used
- *   as positions. Then all points must be on a sphere around the origin, within a thousandth of its
- *   radius.
+ *   as positions. In this case, all points must be on a sphere around the origin, within a
+ *   thousandth of its radius.
  *
  * Output port 0: the target, with every named numeric point array of the source. Arrays of the
- * target that have the same name are replaced. The source's "SpherePosition", active normals and
- * texture coordinates, ghost array, and global and pedigree ids are not transferred.
+ * target that have the name of a transferred array are replaced. The source's "SpherePosition",
+ * active normals and texture coordinates, ghost array, and global and pedigree ids are not
+ * transferred.
  * - integer arrays with 1 component are labels or masks. Each point gets the label with the largest
  *   total weight. If several labels have the largest weight, the smallest label is used.
  * - all other arrays are numbers. Each point gets the weighted mean in the type of the array;
  *   integers such as colors are rounded. Values that are not finite are ignored. A point without
  *   finite values gets 0, and there is one warning for all such points.
  * - point array "ResampleMask" (unsigned char, 1 component), only with MaskArrayName: 1 for points
- *   that have values. It is 0 if the mask excludes all source points that would contribute; the
- *   transferred values are then also 0.
+ *   that have values. If the mask excludes all source points that would contribute, ResampleMask
+ *   and the transferred values are 0.
  *
  * The output is equal bit by bit for any number of threads.
  *
  * Weights are those of Connectome Workbench, a program for brain surfaces. Method BARYCENTRIC is
  * equal to BARYCENTRIC of Workbench. Method AREA_ADAPTIVE is equal to ADAP_BARY_AREA of Workbench,
- * with the two surfaces as area surfaces. Labels are equal to those of the Workbench command
+ * with areas computed from these two surfaces. Labels are equal to those of the Workbench command
  * -label-resample.
  *
  * If the source's map has folds, there is a warning, since values are discontinuous at folds.

@@ -2,10 +2,11 @@
  * @class   vtkSphericalTemplate
  * @brief   register several mapped surfaces with their mean, so that all of them correspond
  *
- * Deform the maps of several surfaces to the sphere, their point arrays "SpherePosition".
- * Corresponding points of all surfaces then have the same position on the sphere. In several
+ * Several surfaces are mapped to the sphere by their point arrays "SpherePosition". Deform these
+ * maps until corresponding points of all surfaces have the same position on the sphere. In several
  * rounds, each surface is registered with the mean of all surfaces, as in vtkSphericalRegistration.
- * The second output is the mean surface.
+ * A registration deforms the map of a surface until it corresponds to the map of the mean. The
+ * second output is the mean surface.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces, as separate inputs or as blocks of
  * composite data. All surfaces are closed, of genus zero, in one coordinate system, with the point
@@ -16,14 +17,14 @@
  * inputs, with the names of the input's blocks. A block is the input surface, with
  * - point array "SpherePosition" (double, 3 components): the deformed map. Points of two surfaces
  *   correspond if they have the same position on the sphere.
- * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement" and "NumberOfFolds": as
- *   in vtkSphericalRegistration, for the last registration with the mean.
+ * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement" and "NumberOfFolds":
+ *   quality of the last registration with the mean, as described in vtkSphericalRegistration.
  *
- * Output port 1: vtkPolyData, the mean surface, computed after Alignment of the surfaces, with 10
- * f^2 + 2 points, where f is MeanFrequency. The position and orientation of the mean surface are
- * those of the start, an input surface that the filter selects.
- * - point array "SpherePosition" (double, 3 components): the points of a geodesic sphere, which are
- *   uniform over the sphere.
+ * Output port 1: vtkPolyData, the mean of the aligned surfaces (property Alignment). It has 10 f^2
+ * + 2 points, where f is MeanFrequency. The position and orientation of the mean surface are those
+ * of the start, an input surface that the filter selects as described below.
+ * - point array "SpherePosition" (double, 3 components): the points of a geodesic sphere
+ *   (subdivided icosahedron), which are uniform over the sphere.
  * - field data "TemplateChange" (double, one value per round; absent without rounds): change of the
  *   mean in the round. The change is the root mean square distance between corresponding points of
  *   the mean and the previous mean. The unit is the root mean square distance of the points from
@@ -34,19 +35,19 @@
  * First, all surfaces are registered with the first surface. The surface whose shape is closest to
  * the mean of the registered shapes becomes the start. Next, all surfaces are registered with the
  * start. Each round then registers all surfaces with the mean positions and mean features of the
- * previous round. Features are numbers at the points that should be equal at corresponding points.
- * Landmarks, if any, are used in all registrations.
+ * previous round. A feature is a number at each point. Corresponding points should have equal
+ * features. Landmarks, which are given corresponding points, are used in all registrations.
  *
- * The sequence of the surfaces can change which surface is the start, see TemplateStart. With the
- * same start, results for different sequences differ only by rounding. The output is equal bit by
- * bit for any number of threads.
+ * If the surfaces are in another sequence, the start may be another surface, see the field data
+ * "TemplateStart". If the start is the same surface, results for different sequences differ only by
+ * rounding. The output is equal bit by bit for any number of threads.
  *
- * An empty block of the input gives an empty block of the output, with a warning. Missing blocks
- * are left out.
+ * An empty block of the input gives an empty block of the output, with a warning. Blocks that are
+ * null are left out.
  *
- * The mean has the triangles of a geodesic sphere. To compute a mean whose points are uniform over
- * the surfaces, apply vtkConsistentRemesh to output port 0. That mean also has principal
- * components, and the point arrays of the surfaces.
+ * The points of the mean are uniform over the sphere, and not over the surfaces. For a mean whose
+ * points are uniform over the surfaces, apply vtkConsistentRemesh to output port 0. The mean of
+ * vtkConsistentRemesh also has principal components, and the point arrays of the surfaces.
  *
  * @sa
  * vtkSphericalRegistration vtkConsistentRemesh vtkSphericalMorph
@@ -80,9 +81,9 @@ public:
 
   ///@{
   /**
-   * Maximum number of rounds of registration with the mean. With 0, surfaces are registered only
-   * with one of the surfaces, the start. Each round costs one registration per surface. In [0,
-   * 100]. Default is 4.
+   * Maximum number of rounds of registration with the mean. With 0, all surfaces are registered
+   * with the start, an input surface that the filter selects. Each round costs one registration per
+   * surface. In [0, 100]. Default is 4.
    */
   vtkSetClampMacro(MaximumNumberOfRounds, int, 0, 100);
   vtkGetMacro(MaximumNumberOfRounds, int);
@@ -101,8 +102,8 @@ public:
   ///@{
   /**
    * Differences between the shapes that are removed before their mean is computed. NONE: no
-   * difference. RIGID (default): position and orientation. SIMILARITY: position, orientation and
-   * size.
+   * differences are removed. RIGID (default): position and orientation. SIMILARITY: position,
+   * orientation and size.
    */
   vtkSetClampMacro(Alignment, int, NONE, SIMILARITY);
   vtkGetMacro(Alignment, int);
@@ -113,8 +114,8 @@ public:
 
   ///@{
   /**
-   * Frequency f of the geodesic sphere whose triangles the mean surface has. The mean has 10 f^2 +
-   * 2 points. In [8, 1000]. Default is 45: 20,252 points.
+   * Frequency f of a geodesic sphere, a subdivided icosahedron. The mean surface has the triangles
+   * of this sphere, and 10 f^2 + 2 points. In [8, 1000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(MeanFrequency, int, 8, 1000);
   vtkGetMacro(MeanFrequency, int);
@@ -131,8 +132,8 @@ public:
 
   ///@{
   /**
-   * Weight of the stretch of the maps between surfaces, relative to the weights of the features, as
-   * in vtkSphericalRegistration. In [0.001, 1000]. Default is 1.
+   * Weight of the stretch of the maps between the surfaces, as in vtkSphericalRegistration. The
+   * weight is relative to the weights of the features. In [0.001, 1000]. Default is 1.
    */
   vtkSetClampMacro(StretchWeight, double, 0.001, 1000.0);
   vtkGetMacro(StretchWeight, double);
@@ -140,8 +141,9 @@ public:
 
   ///@{
   /**
-   * Resolution of the deformation: frequency of the finest geodesic sphere at whose vertices the
-   * deformation is computed, as in vtkSphericalRegistration. In [8, 128]. Default is 16.
+   * Resolution of the deformation. The deformation is computed at the vertices of geodesic spheres,
+   * from coarse to fine, as in vtkSphericalRegistration. This property is the frequency of the
+   * finest sphere. In [8, 128]. Default is 16.
    */
   vtkSetClampMacro(Frequency, int, 8, 128);
   vtkGetMacro(Frequency, int);
@@ -160,8 +162,9 @@ public:
 
   ///@{
   /**
-   * Add a feature to match: the name of a point array with 1 component that all surfaces have, and
-   * a weight, as in vtkSphericalRegistration. Default is none.
+   * Add a feature, a number at each point that should be equal at corresponding points. The
+   * arguments are the name of a point array with 1 component, which all surfaces have, and a
+   * weight, as in vtkSphericalRegistration. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();

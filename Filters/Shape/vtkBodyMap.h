@@ -3,10 +3,11 @@
  * @brief   give a mapped body longitudes and latitudes, heights and slopes
  *
  * Compute longitude, latitude, height and slope at each point of a body that is mapped to the
- * sphere. The filter transforms the map, the point array "SpherePosition". The poles are then on
- * the rotation axis, and longitude 0 passes through a marker, a chosen point of the body. The
- * second output has meridians and parallels on the body. The third output has places that are given
- * by longitude and latitude. These coordinates are neither planetocentric nor planetographic.
+ * sphere. The map is the point array "SpherePosition". The filter transforms the map so that the
+ * poles are on the rotation axis. Longitude 0 passes through a marker, a chosen point of the body.
+ * The second output has meridians and parallels on the body. The third output has the positions on
+ * the body of given places, such as landing sites. The places are given by longitude and latitude.
+ * These longitudes and latitudes are neither planetocentric nor planetographic.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components), such
  * as the output of vtkGlobalConformalMap. Polygons and strips are treated as triangles.
@@ -19,9 +20,9 @@
  *   The north pole is (0, 0, 1). Longitude 0 is towards (1, 0, 0).
  * - "Longitude": longitude, increasing to the east, in degrees, in [0, 360).
  * - "Latitude": latitude, in degrees, in [-90, 90].
- * - "Height": height of the point over the reference, an ellipsoid or sphere of the body's volume
- *   (see Reference). The height is the distance of the point from the center of the reference,
- *   minus the distance of the reference from this center in the same direction.
+ * - "Height": height of the point over the reference, an ellipsoid or sphere with the volume of the
+ *   body (property Reference). The height is the distance of the point from the center of the
+ *   reference, minus the radius of the reference in the direction of the point.
  * - "Slope": angle between the normals of the surface and of the reference, in degrees, in [0,
  *   180].
  *
@@ -29,8 +30,8 @@
  * - "IsMeridian" (vtkIdType): 1 for a meridian, 0 for a parallel.
  * - "Degrees" (double): longitude of the meridian, or latitude of the parallel.
  *
- * Output port 2: the input of port 1, with each point moved to its position on the body, by the
- * inverse of the map.
+ * Output port 2: the input of port 1, with each point moved to its position on the body. The
+ * inverse of the map gives this position.
  *
  * Field data of port 0 (double): "BodyNorthPole", "BodySouthPole" and "BodyMarker" (3 components)
  * are the positions of the poles and of the marker on the body. "ReferenceCenter", "ReferenceRadii"
@@ -38,9 +39,9 @@
  *
  * The rotation axis passes through Center. The poles are intersections of the rotation axis with
  * the surface. On each side of Center, the intersection farthest from Center is the pole. East is
- * counter-clockwise around the north pole seen from outside, even if the input's map was mirrored.
- * The transform balances north and south: the mean of the sine of the latitude over the area of the
- * body is 0.
+ * counter-clockwise around the north pole seen from outside, even if the input's map reverses the
+ * orientation. The transform balances north and south: the mean of the sine of the latitude over
+ * the area of the body is 0.
  *
  * @note Longitude and latitude are coordinates of a map to the sphere. These coordinates are one to
  * one on bodies of any shape, even if a ray from the center intersects the surface several times.
@@ -108,8 +109,8 @@ public:
   /**
    * Whether longitude 0 passes through the point of the surface closest to MarkerPoint. Default is
    * off: longitude 0 passes through the farthest intersection of the surface with a ray from
-   * Center. The direction of this ray is the x axis, projected perpendicular to the rotation axis.
-   * If the rotation axis is x, the y axis is used.
+   * Center. The direction of this ray is perpendicular to the rotation axis, as close as possible
+   * to the x axis. If the rotation axis is the x axis, the y axis is used instead.
    */
   vtkSetMacro(UseMarkerPoint, bool);
   vtkGetMacro(UseMarkerPoint, bool);
@@ -127,10 +128,10 @@ public:
 
   ///@{
   /**
-   * Reference surface for heights and slopes. SPHERE: the sphere that has the same volume and the
-   * same centroid of the volume as the body. ELLIPSOID (default): an ellipsoid with this volume and
-   * centroid. The axes of the ellipsoid are the body's principal axes of inertia. The radii are
-   * proportional to the square roots of the body's second moments along these axes.
+   * Reference surface for heights and slopes. SPHERE: the sphere whose volume and centroid are
+   * those of the body. ELLIPSOID (default): an ellipsoid with the volume and centroid of the body.
+   * The axes of the ellipsoid are the body's principal axes of inertia. The radii are proportional
+   * to the square roots of the body's second moments along these axes.
    */
   vtkSetClampMacro(Reference, int, SPHERE, ELLIPSOID);
   vtkGetMacro(Reference, int);

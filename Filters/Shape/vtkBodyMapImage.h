@@ -7,12 +7,12 @@
  * the outline of the map, and pixels on meridians and parallels.
  *
  * Input port 0: vtkPolyData, an output of vtkBodyMap, or any surface with the point array
- * "SpherePosition" (3 components). In this array, the north pole is (0, 0, 1). Polygons and strips
+ * "SpherePosition" (3 components). In this array, (0, 0, 1) is the north pole. Polygons and strips
  * are treated as triangles.
  *
  * Output port 0: vtkImageData of ImageSize pixels, which the map fills. The coordinates of a pixel
- * are the coordinates of its middle on the map. Origin and spacing of the image are therefore
- * suitable for a world file, which defines the position of an image on a map. If Projection is
+ * are the coordinates of its middle on the map. A world file, which defines the position of an
+ * image on a map, can therefore contain the origin and spacing of this image. If Projection is
  * EQUIRECTANGULAR, the coordinates are degrees of longitude from the central meridian, and degrees
  * of latitude. For other projections, the unit is the radius of the sphere.
  * - active scalars: the drawn point array, with the same name, type and number of components.
@@ -20,7 +20,7 @@
  * - point array "OutsideMap" (unsigned char): 1 beyond the outline of the map, otherwise 0. Where
  *   the value is 1, the drawn values are 0.
  * - point array "OutsideSurface" (unsigned char): 1 beyond the outline, and where the map to the
- *   sphere has a hole; otherwise 0.
+ *   sphere has a hole (no triangle of the surface is mapped there); otherwise 0.
  * - point array "Graticule" (unsigned char), unless GraticuleSpacing is 0: 1 on meridians and
  *   parallels, which are one pixel wide. Meridians at multiples of 90 degrees end at the poles. All
  *   other meridians end at the parallels nearest to the poles.
@@ -28,8 +28,8 @@
  *   body that the pixel shows; 0 outside of the map or the surface.
  *
  * A pixel shows the point of the body whose position on the sphere is projected to the pixel's
- * middle. Every point of the body has a position on the map, for any shape of the body. If many
- * vertices fall into one pixel, the image undersamples the surface.
+ * middle. For any shape of the body, every point of the body has a position on the map. If many
+ * vertices are mapped into one pixel, the image loses details of the surface.
  *
  * The image is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The projection

@@ -12,16 +12,17 @@
  * Input port 0: vtkPolyData, a closed surface with the point array "SpherePosition". Polygons and
  * strips are cut into triangles.
  * - point array "SpherePosition" (3 components, of any length but 0): a map that covers the sphere
- *   once without folds. The map may mirror the surface.
+ *   once without folds. The map is also valid if it reverses the orientation of all triangles.
  *
- * Input port 1 (optional): vtkTable, the coefficients of a reference surface for Alignment, as on
- * output port 1.
+ * Input port 1 (optional): vtkTable, the coefficients of a reference surface, as on output port 1.
+ * The property Alignment uses the reference.
  *
  * Output port 0: vtkPolyData, the sum of the harmonics up to ReconstructionDegree. If MeshType is
  * INPUT, the output is the input with new coordinates of the points, and without its active
- * normals. If MeshType is GEODESIC, the output has the triangles of a geodesic sphere.
- * - point array "SpherePosition" (double, 3 components): the map of the input, rotated by
- *   Alignment; with GEODESIC, the points of the geodesic sphere.
+ * normals. If MeshType is GEODESIC, the output has the triangles of a geodesic sphere, a subdivided
+ * icosahedron.
+ * - point array "SpherePosition" (double, 3 components): the map of the input, rotated according to
+ *   Alignment. If MeshType is GEODESIC: the points of the geodesic sphere.
  * - each point array that was added by AddPointArray() (double), rebuilt from its harmonics.
  *
  * Output port 1: vtkTable, the coefficients. Let L be the Degree. The table has (L + 1)^2 rows: for
@@ -29,8 +30,9 @@
  * - columns "Degree", "Order" (int).
  * - columns "X", "Y", "Z" (double): coefficients of the coordinates, in the unit of the input's
  *   coordinates.
- * - one column (double) for each component of each point array that was added. Its name is that of
- *   the array; for several components, the names are "name_0", "name_1" and so on.
+ * - one column (double) for each component of each point array that was added. The column of an
+ *   array with 1 component has the name of the array. With several components, the columns are
+ *   "name_0", "name_1" and so on.
  *
  * Let (x, y, z) be a point of the unit sphere, with phi = atan2(y, x), and P_lm the normalized
  * associated Legendre functions. The harmonic Y_lm is P_lm(z) cos(m phi) for m >= 0, and P_l|m|(z)
@@ -40,8 +42,8 @@
  *
  * Field data of output port 0 (double):
  * - "RootMeanSquareDistance" (1 value): root mean square distance between the points of the input
- *   and the same points rebuilt from the harmonics up to ReconstructionDegree. Points are weighted
- *   by area. The unit is that of the coordinates.
+ *   and the points rebuilt from the harmonics up to ReconstructionDegree. Points are weighted by
+ *   area. The unit is that of the coordinates.
  * - "HarmonicPower" (L + 1 values): power of each degree l. Let p be the sum of the coefficients
  *   times the harmonics of degree l, a vector at each point of the sphere. The power is the mean of
  *   |p|^2 over the sphere, in the squared unit of the coordinates. The power does not depend on the
@@ -57,15 +59,16 @@
  *   becomes MapRotation p.
  *
  * The coefficients are a least-squares solution over the points of the surface, weighted by area.
- * If a surface is a sum of harmonics up to degree L, and its edges on the sphere are shorter than
- * pi / L, the filter reproduces its coefficients. In a conformal map, limbs are small, and need
- * harmonics of high degree. vtkGlobalConformalMap with an AreaBalance of 0.5 is suitable for most
- * surfaces. The output is equal bit by bit for any number of threads.
+ * Suppose that a surface is a sum of harmonics up to degree L, and that its edges on the sphere are
+ * shorter than pi / L. The filter then computes the coefficients of this sum. In a conformal map,
+ * limbs (long, thin parts) are small on the sphere, and need harmonics of high degree. For most
+ * surfaces, the map of vtkGlobalConformalMap with an AreaBalance of 0.5 is suitable. The output is
+ * equal bit by bit for any number of threads.
  *
  * Implementation note: the axes of Alignment are those of C. Brechbuehler, G. Gerig, O. Kuebler,
  * "Parametrization of closed surfaces for 3-D shape description", Computer Vision and Image
- * Understanding 61 (1995), and of SPHARM-PDM. Neither of these methods defines the signs of the
- * axes.
+ * Understanding 61 (1995), and of SPHARM-PDM. In these methods, the signs of the axes are
+ * undefined.
  *
  * @sa
  * vtkSurfaceHarmonicsSource vtkGlobalConformalMap vtkConsistentRemesh
@@ -132,8 +135,8 @@ public:
 
   ///@{
   /**
-   * GEODESIC: frequency f of the geodesic sphere (vtkGeodesicSphereSource), which has 10 f^2 + 2
-   * points. In [1, 1000]. Default is 36: 12,962 points.
+   * If MeshType is GEODESIC: frequency f of the geodesic sphere (vtkGeodesicSphereSource), which
+   * has 10 f^2 + 2 points. In [1, 1000]. Default is 36: 12,962 points.
    */
   vtkSetClampMacro(Frequency, int, 1, 1000);
   vtkGetMacro(Frequency, int);
@@ -142,18 +145,18 @@ public:
   ///@{
   /**
    * Alignment to common axes, so that coefficients of different surfaces can be compared. The
-   * harmonics of degree 1 define an ellipsoid, whose axes are used. NONE (default): no alignment.
-   * MAP: rotate the map so that the longest, middle and shortest axis of the ellipsoid are mapped
-   * to the x, y and z axis. MAP_AND_SURFACE: also rotate the surface so that these axes become x, y
-   * and z, and move the ellipsoid's center to the origin.
+   * common axes are those of the ellipsoid that the harmonics of degree 1 define. NONE (default):
+   * no alignment. MAP: rotate the map so that the longest, middle and shortest axis of the
+   * ellipsoid are mapped to the x, y and z axis. MAP_AND_SURFACE: also rotate the surface so that
+   * these axes become x, y and z, and move the ellipsoid's center to the origin.
    *
    * Four rotations align the axes, since the signs of two axes are free. With a reference, the axes
    * of the surface's ellipsoid are matched to those of the reference's ellipsoid. Of the four
    * rotations, the one with the highest correlation between surface and reference is chosen. If the
    * lengths of two axes differ by less than a tenth, rotations about the third axis are also tried.
-   * Without a reference, the longest and the middle axis point to the side where the surface
-   * extends farther. This side is where the third moment is positive: the integral over the sphere
-   * of the cubed coordinate along the axis.
+   * Without a reference, the longest and the middle axis point to the side on which the surface
+   * extends farther. The third moment of an axis, the integral over the sphere of the cubed
+   * coordinate along the axis, is positive if the axis points to this side.
    */
   vtkSetClampMacro(Alignment, int, NONE, MAP_AND_SURFACE);
   vtkGetMacro(Alignment, int);
@@ -173,7 +176,8 @@ public:
 
   ///@{
   /**
-   * Set the coefficients of a reference surface, with which this surface is aligned by Alignment.
+   * Set the coefficients of a reference surface, with which the property Alignment aligns this
+   * surface.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
   void SetReferenceData(vtkTable* reference);

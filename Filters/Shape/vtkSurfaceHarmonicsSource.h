@@ -13,14 +13,16 @@
  * - columns "X", "Y", "Z": coefficients of the coordinates.
  * - other numeric columns: coefficients of point arrays. Columns of text are ignored.
  *
- * Output port 0: vtkPolyData, the surface, with the triangles of a geodesic sphere of the given
- * Frequency. Coordinates of the points are the sum of the harmonics up to ReconstructionDegree.
- * Triangles are counter-clockwise seen from outside the surface.
+ * Output port 0: vtkPolyData, the surface, with the triangles of a geodesic sphere (subdivided
+ * icosahedron) of the given Frequency. Coordinates of the points are the sum of coefficients times
+ * harmonics, up to ReconstructionDegree. Triangles are counter-clockwise seen from outside the
+ * surface.
  * - point array "SpherePosition" (double, 3 components): the points of the geodesic sphere.
  * - one point array (double, 1 component) for each other numeric column, with the name of the
  *   column.
  *
- * The class vtkSurfaceHarmonics makes such tables, and its documentation defines the harmonics.
+ * The class vtkSurfaceHarmonics makes tables of this kind. The documentation of that class defines
+ * the harmonics.
  *
  * @sa
  * vtkSurfaceHarmonics vtkGeodesicSphereSource
@@ -50,9 +52,8 @@ public:
 
   ///@{
   /**
-   * Maximum degree of the harmonics of which the surface is the sum. Values above the largest
-   * degree in the table have the effect of that degree. In [0, 1024]. Default is 1024: all
-   * harmonics.
+   * Maximum degree of the harmonics from which the surface is made. Values above the largest degree
+   * in the table have the effect of that degree. In [0, 1024]. Default is 1024: all harmonics.
    */
   vtkSetClampMacro(ReconstructionDegree, int, 0, 1024);
   vtkGetMacro(ReconstructionDegree, int);

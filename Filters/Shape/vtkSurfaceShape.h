@@ -7,23 +7,24 @@
  * (positive in folds, negative on ridges).
  *
  * Input port 0: vtkPolyData, a closed surface without handles; a map to the sphere is not needed.
- * Polygons and strips are treated as triangles. Coincident points of open edges are merged,
- * triangles are oriented consistently, and points that belong to no triangle are dropped. Each kind
- * of change causes a warning.
+ * Polygons and strips are treated as triangles. Coincident points of open edges (edges of only one
+ * triangle) are merged, triangles are oriented consistently, and points that belong to no triangle
+ * are dropped. Each kind of change causes a warning.
  *
  * Output port 0: the input, or only its triangles if one of the changes above was made, with point
  * arrays (double)
  * - "MeanCurvature", in units of 1 / length: positive where the surface is convex; 1 / r on a
- *   sphere of radius r. The program Connectome Workbench uses the same sign. "curv" of FreeSurfer
- *   has the opposite sign.
+ *   sphere of radius r. The program Connectome Workbench uses the same sign. The program FreeSurfer
+ *   uses the opposite sign in its files "curv".
  * - "GaussianCurvature", in units of 1 / area: positive on domes and in pits, negative on saddles.
- * - "SulcalDepth", in units of length: positive in folds and negative on ridges, as "sulc" of
- *   FreeSurfer, a program for brain surfaces. The mean of SulcalDepth over the surface is 0.
+ * - "SulcalDepth", in units of length: positive in folds and negative on ridges. "sulc" of
+ *   FreeSurfer, a program for brain surfaces, has the same sign. The mean of SulcalDepth over the
+ *   surface is 0.
  *
  * Curvatures are integrals over edges and vertices (D. Cohen-Steiner, J.-M. Morvan, "Restricted
  * Delaunay triangulations and normal cycle", SoCG 2003). The integral for a vertex is divided by
- * the area of the points nearest to this vertex. The result is smoothed over the length
- * CurvatureScale.
+ * the area of the vertex. This area is about the part of the surface that is nearer to this vertex
+ * than to other vertices. The result is smoothed over the length CurvatureScale.
  *
  * "SulcalDepth" is the depth potential of M. Boucher, S. Whitesides, A. Evans, "Depth potential
  * function for folding pattern representation, registration and analysis", Medical Image Analysis

@@ -8,17 +8,17 @@
  * Output port 0: vtkPolyData, the points and polygons of a file with three-dimensional points. A
  * file begins with the keyword [ST][C][N][4][n]OFF, in which each prefix in brackets is optional.
  * Points of text files are double, and points of BINARY files are float. A file without the keyword
- * is also read, but CanReadFile() returns false for this file. With prefix 4, the first three
- * coordinates are divided by the fourth.
+ * is also read, but CanReadFile() returns false for this file. With prefix 4, points have four
+ * coordinates in the file: the first three are divided by the fourth.
  * - point array "Normals" (type of the points, 3 components), active: from a file with prefix N.
  * - point array "TCoords" (type of the points, 2 components), active: from a file with prefix ST.
  * - point array "RGB" or "RGBA" (unsigned char), active scalars: from a file with prefix C, or from
- *   additional columns of a text file without prefix C. If no number exceeds 1, colors are in [0,
- *   1], otherwise in [0, 255].
+ *   additional columns of a text file without prefix C. If no number of the file's colors exceeds
+ *   1, the numbers are read as colors in [0, 1], otherwise in [0, 255].
  * - cell array "RGB" or "RGBA" (unsigned char), active scalars: colors after the point ids of the
  *   faces. A face without color is white.
- * - cell array "ColorIndex" (int, 1 component): a single number after the point ids of the faces;
- *   -1 for a face without such a number.
+ * - cell array "ColorIndex" (int, 1 component): index of a color, read if only one number follows
+ *   the point ids of a face. The value is -1 for other faces.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *

@@ -6,9 +6,9 @@
  * and texture coordinates.
  *
  * Input port 0: vtkPolyData. The file has the active normals, texture coordinates and colors of the
- * points. The file also has the active colors of the polygons. If the polygons have no colors,
- * their integer array "ColorIndex" (1 component) is written. Numbers are written with enough digits
- * to be read back exactly.
+ * points. The file also has the active colors of the polygons. If the polygons have no colors, the
+ * file has their integer array "ColorIndex" (1 component), indices of colors. Numbers have enough
+ * digits for readers to restore the exact values.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

@@ -5,12 +5,13 @@
  * Read points and polygons from a PLY file, as text or binary. Unlike ParaView's PLY Reader, this
  * reader keeps double precision and every property of a point. This reader also reads triangle
  * strips, point clouds, and range grids (points in the cells of a scanner's grid). Each point of a
- * cloud gets a vertex cell, so that the cloud is visible. Malformed files cause an error.
+ * cloud gets a vertex cell, so that ParaView draws the cloud. Malformed files cause an error.
  *
  * Output port 0: vtkPolyData, the points and polygons of a PLY file: ascii, binary_little_endian or
  * binary_big_endian. The points are float if the properties x, y and z are float, otherwise double.
- * Triangle strips become triangles. Neighboring points in the grid of a range scan are connected by
- * triangles. vtkSurfaceFileReader describes what all readers of this module have in common.
+ * Triangle strips become triangles. A range scan is a file with a range grid: neighboring points of
+ * the grid are connected by triangles. vtkSurfaceFileReader describes what all readers of this
+ * module have in common.
  * - point array "Normals" (float or double, 3 components), active: properties nx, ny, nz or
  *   normal_x, normal_y, normal_z.
  * - point array "RGB" or "RGBA" (unsigned char, 3 or 4 components), active scalars: properties red,
@@ -23,8 +24,9 @@
  * - cell arrays (1 component) with the name and type of every scalar property of a face. If a file
  *   has strips or a grid, the output has no cell arrays.
  *
- * Unlike vtkPLYReader, this reader keeps all properties and double precision, and reads strips.
- * Every point id is checked, so that malformed files cannot crash a program.
+ * In contrast, VTK's class vtkPLYReader keeps only some properties, has only single precision, and
+ * does not read strips. This reader checks every point id, so that malformed files cannot crash a
+ * program.
  *
  * @sa
  * vtkSurfaceFileReader
@@ -46,8 +48,8 @@ public:
   ///@{
   /**
    * Maximum length of an edge between neighboring points in the grid of a range scan, in the unit
-   * of the points. Triangles with a longer edge are left out, since these triangles would bridge
-   * gaps of the object. The length is at least 0. Default is 0: the maximum is 4 times the median
+   * of the points. Triangles with a longer edge are left out, since they would span gaps between
+   * parts of the object. The length is at least 0. Default is 0: the maximum is 4 times the median
    * distance between neighboring points.
    */
   vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);

@@ -2,10 +2,10 @@
  * @class   vtkFreeSurferReader
  * @brief   read FreeSurfer's surfaces with their sphere and their curvature
  *
- * Read a surface file of FreeSurfer, such as lh.white. Optionally, also read a sphere file and a
- * file of values at the points. The points of a sphere, such as lh.sphere, become the point array
- * "SpherePosition". A file with one number for each point, such as lh.curv, becomes the point array
- * Curvature.
+ * Read a surface file of FreeSurfer, a program for brain surfaces, such as lh.white. Optionally,
+ * also read a sphere file and a file of values at the points. The points of a sphere, such as
+ * lh.sphere, become the point array "SpherePosition", the surface's map to the sphere. A file with
+ * one number for each point, such as lh.curv, becomes the point array Curvature.
  *
  * Output port 0: vtkPolyData, the points (float) and the triangles or quads of a surface, such as
  * lh.white.
@@ -15,9 +15,9 @@
  *   lh.curv or lh.thickness. Files of values are read in their new layout (floats) and old layout
  *   (16-bit integers).
  *
- * The geometry of the scanned volume, which may follow after the faces, is ignored. Points have the
- * coordinates of the file. vtkSurfaceFileReader describes what all readers of this module have in
- * common.
+ * Some files contain the geometry of the scanned volume after the faces. The reader ignores this
+ * geometry, and does not transform the coordinates of the file. vtkSurfaceFileReader describes what
+ * all readers of this module have in common.
  *
  * @sa
  * vtkSurfaceFileReader

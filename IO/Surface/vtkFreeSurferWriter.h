@@ -2,9 +2,9 @@
  * @class   vtkFreeSurferWriter
  * @brief   write FreeSurfer's surfaces, spheres and curvatures
  *
- * Write one of three kinds of FreeSurfer files, selected by Content: a surface, its sphere, or one
- * number for each point. The sphere has the triangles of the surface, and the positions of its
- * points on a sphere.
+ * Write one of three kinds of files for FreeSurfer, a program for brain surfaces. Content selects
+ * the kind: a surface, its sphere, or one number for each point. The sphere has the triangles of
+ * the surface. Each point of the sphere is the position of a surface point on the sphere.
  *
  * Input port 0: vtkPolyData of triangles. Content selects the data to write:
  * - SURFACE: the points, as floats, and the triangles.
@@ -41,8 +41,8 @@ public:
   ///@{
   /**
    * Content of the file. SURFACE (default): points and triangles. SPHERE: the triangles, with
-   * points at 100 times the point array "SpherePosition". CURVATURE: the values of the point array
-   * ArrayName.
+   * points at 100 times the point array "SpherePosition". 100 is the radius of FreeSurfer's
+   * spheres. CURVATURE: the values of the point array ArrayName.
    */
   vtkSetClampMacro(Content, int, SURFACE, CURVATURE);
   vtkGetMacro(Content, int);

@@ -2,9 +2,10 @@
  * @class   vtkGIFTIReader
  * @brief   read GIFTI surfaces with their sphere and numbers at their points
  *
- * Read a GIFTI surface (.surf.gii). Optionally, also read a sphere file and a file of values at the
- * points. The points of a sphere become the point array "SpherePosition". A file with numbers for
- * each point becomes point arrays.
+ * Read a surface in the neuroimaging format GIFTI (.surf.gii). Optionally, also read a sphere file
+ * and a file of values at the points. The points of a sphere become the point array
+ * "SpherePosition", the surface's map to the sphere. A file with numbers for each point becomes
+ * point arrays.
  *
  * Output port 0: vtkPolyData, the points (float or double, as in the file) and triangles of a
  * surface (.surf.gii). Files with the encodings ASCII, Base64Binary and GZipBase64Binary are read,

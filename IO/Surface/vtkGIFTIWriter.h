@@ -2,9 +2,9 @@
  * @class   vtkGIFTIWriter
  * @brief   write GIFTI surfaces, spheres and numbers at their points
  *
- * Write a surface to a compressed GIFTI file: points, triangles and every point array. Some
- * neuroimaging programs need separate files. For these programs, Content selects only the geometry,
- * only the sphere, or only the arrays.
+ * Write a surface to a compressed file in the neuroimaging format GIFTI: points, triangles and
+ * every point array. Some neuroimaging programs need separate files. For these programs, Content
+ * selects only the geometry, only the sphere, or only the arrays.
  *
  * Input port 0: vtkPolyData. The file is compressed GIFTI. Content selects the data to write:
  * - SURFACE: the points in their own type (float or double), the triangles, and every point array

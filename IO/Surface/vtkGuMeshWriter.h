@@ -11,7 +11,7 @@
  * - array "SpherePosition" (3 components): trait sph.
  * - active normals, texture coordinates and colors (3 unsigned chars): traits normal, uv and rgb.
  *
- * Numbers are written with enough digits to be read back exactly.
+ * Numbers have enough digits for readers to restore the exact values.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

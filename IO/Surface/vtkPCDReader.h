@@ -3,8 +3,8 @@
  * @brief   read clouds in the PCD format of the Point Cloud Library
  *
  * Read a point cloud from a PCD file, text, binary or compressed, with all fields (named numbers of
- * the points). Points with non-finite coordinates, where the scanner measured nothing, are left
- * out.
+ * the points). Points with non-finite coordinates are left out: in a PCD file, they mean that the
+ * scanner measured nothing.
  *
  * Output port 0: vtkPolyData, the points of a file, with one vertex for each point. Versions 0.5 to
  * 0.7 of the format are read: ascii, binary and binary_compressed. The points are float if the
@@ -13,8 +13,8 @@
  * - point array "Normals" (float or double, 3 components), active: fields normal_x, normal_y and
  *   normal_z.
  * - point array "RGB" or "RGBA" (unsigned char), active scalars: field rgb or rgba of four bytes.
- * - point arrays with the name, type and number of components of every other field except padding,
- *   which has no data.
+ * - one point array for every other field, with the name, type and number of components of the
+ *   field. Padding fields, which have no data, are left out.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *

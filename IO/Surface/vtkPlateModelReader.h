@@ -3,22 +3,23 @@
  * @brief   read plate models of small bodies (.tab, .ver) of the Planetary Data System
  *
  * Read the shape model of a small body, such as an asteroid, from a text file. The model is a mesh
- * of triangles, called plates. The rows of the text may be numbered.
+ * of triangles, called plates. The reader accepts files with and without row numbers.
  *
  * Output port 0: vtkPolyData, the vertices (double) and triangles of a text file. The file contains
- * the number of vertices, a row for each vertex, the number of plates, and a row for each plate.
- * Both numbers may be on the first line.
+ * the number of vertices, a row for each vertex, the number of plates, and a row for each plate. In
+ * some files, both numbers are on the first line.
  * - Rows of vertices are X Y Z or I X Y Z, where I is the number of the row, and X, Y and Z are
  *   coordinates.
  * - Rows of plates are A B C, I A B C, or 3 A B C, where A, B and C are the numbers of the plate's
- *   vertices. The 3 is the number of vertices, and may be on a separate line.
+ *   vertices. The 3 is the number of the plate's vertices. In some files, the 3 is on a separate
+ *   line.
  *
  * The row number I begins with 0 or 1. If a plate refers to vertex 0, vertices are numbered from 0,
  * otherwise from 1. Coordinates are in the unit of the file, usually kilometers. Label files (.lbl,
  * .xml) are not read.
  *
- * This reader does not read two similar kinds of files. For models with lines "v X Y Z" and "f A B
- * C", use vtkOBJReader. Other .tab files, with longitude, latitude and radius, are digital
+ * To read models with lines "v X Y Z" and "f A B C", use vtkOBJReader instead of this reader. This
+ * reader also does not read .tab files with longitude, latitude and radius, which are digital
  * elevation models.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.

@@ -2,19 +2,19 @@
  * @class   vtkSPHARMCoefficientReader
  * @brief   read spherical-harmonic coefficients of SPHARM-PDM (.coef)
  *
- * Read the spherical-harmonic coefficients of a surface from a file of the program SPHARM-PDM.
- * vtkSurfaceHarmonicsSource makes the surface from the resulting table.
+ * Read the spherical-harmonic coefficients of a surface from a file of SPHARM-PDM, a program for
+ * shape analysis. vtkSurfaceHarmonicsSource makes the surface from the resulting table.
  *
  * Output port 0: vtkTable as from vtkSurfaceHarmonics, with one row for each harmonic: columns
  * "Degree", "Order" (int) and "X", "Y", "Z" (double). The coefficients belong to real orthonormal
  * harmonics without the Condon-Shortley phase, as required by vtkSurfaceHarmonicsSource. Let m be
- * the absolute value of the order. If m is above 0, the coefficient in the table is that of the
- * file, multiplied by (-1)^m / sqrt(2). If m is 0, the coefficient in the table is that of the
- * file.
+ * the absolute value of the order. If m is above 0, the coefficient of the file is multiplied by
+ * (-1)^m / sqrt(2). If m is 0, the coefficient of the file is not changed.
  *
- * SPHARM-PDM also writes the surface of the coefficients, to a file ..._SPHARM.vtk. In this file,
- * the surface point that corresponds to a point d of the sphere mesh is the sum of the harmonics at
- * -d. To get this surface point from vtkSurfaceHarmonicsSource, also evaluate the harmonics at -d.
+ * SPHARM-PDM also writes the surface that the coefficients define, to a file ..._SPHARM.vtk. Each
+ * point d of the sphere corresponds to one surface point. In the file, this surface point is the
+ * sum of coefficients times harmonics at -d instead of d. The surface of vtkSurfaceHarmonicsSource
+ * thus has this point at the direction -d.
  *
  * If a file is malformed or truncated, the error message states the number of the line. The output
  * is then empty, and an error code of vtkErrorCode is set. If the reader is aborted, the output is

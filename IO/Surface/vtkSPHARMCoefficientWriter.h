@@ -2,12 +2,12 @@
  * @class   vtkSPHARMCoefficientWriter
  * @brief   write spherical-harmonic coefficients for SPHARM-PDM (.coef)
  *
- * Write spherical-harmonic coefficients, the second output of vtkSurfaceHarmonics, to a file of the
- * program SPHARM-PDM.
+ * Write spherical-harmonic coefficients, the second output of vtkSurfaceHarmonics, to a file of
+ * SPHARM-PDM, a program for shape analysis.
  *
  * Input port 0: vtkTable as from vtkSurfaceHarmonics: columns "Degree", "Order", "X", "Y" and "Z".
- * Other columns are left out. Coefficients are converted to the normalization of SPHARM-PDM, so
- * that programs of SPHARM-PDM compute the same surface. Numbers have 15 digits.
+ * Other columns are left out. SPHARM-PDM scales harmonics differently. The writer converts the
+ * coefficients, so that programs of SPHARM-PDM compute the same surface. Numbers have 15 digits.
  * vtkSPHARMCoefficientReader reads the file.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.

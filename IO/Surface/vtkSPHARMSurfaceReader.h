@@ -2,9 +2,10 @@
  * @class   vtkSPHARMSurfaceReader
  * @brief   read surfaces of SPHARM-PDM (_surf) with their sphere (_para)
  *
- * Read a surface of the program SPHARM-PDM, such as shape_surf.vtk, and its sphere, shape_para.vtk.
- * The sphere is the same mesh, with each point at its position on the unit sphere. The points of
- * the sphere become the point array "SpherePosition".
+ * Read a surface of SPHARM-PDM, a program for shape analysis. The surface is a file such as
+ * shape_surf.vtk, and its sphere is the file shape_para.vtk. The sphere is the same mesh, with each
+ * point at its position on the unit sphere. The points of the sphere become the point array
+ * "SpherePosition".
  *
  * Output port 0: vtkPolyData, the points (float or double) and polygons of a legacy VTK file, such
  * as shape_surf.vtk, text or binary. Arrays of the file are ignored.
@@ -33,8 +34,8 @@ public:
   ///@{
   /**
    * Name of the file whose points are the positions of the surface's points on the sphere. Default
-   * is none: the reader uses the file shape_para.vtk for a FileName of shape_surf.vtk or shape.vtk,
-   * if shape_para.vtk exists.
+   * is none: the name is made from FileName. For example, shape_para.vtk is used for a FileName of
+   * shape_surf.vtk or shape.vtk, if shape_para.vtk exists.
    */
   vtkSetFilePathMacro(SphereFileName);
   vtkGetFilePathMacro(SphereFileName);

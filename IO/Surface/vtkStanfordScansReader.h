@@ -2,10 +2,10 @@
  * @class   vtkStanfordScansReader
  * @brief   read several aligned range scans as one point cloud
  *
- * Read all range scans that a .conf file of the Stanford scanning repository lists, as one point
- * cloud. Each scan is a PLY file, for which the .conf file specifies a transform. The reader
- * applies these transforms, so that the scans are aligned. The point array ScanId contains the
- * number of each point's scan.
+ * Read all range scans that a .conf file lists, as one point cloud. Files of this kind come from
+ * the Stanford 3D Scanning Repository. Each scan is a PLY file, for which the .conf file specifies
+ * a transform. The reader applies these transforms, so that the scans are aligned. The point array
+ * ScanId contains the number of each point's scan.
  *
  * Output port 0: vtkPolyData, the points (double) of all scans that the .conf file lists. Each scan
  * is transformed as specified in the .conf file. There is one vertex for each point.
@@ -14,8 +14,8 @@
  * - every point array that all scans have with the same name, type and number of components, such
  *   as "confidence" or "intensity".
  * - field array "NumberOfMissingScans" (vtkIdType, 1 component): number of listed scans that do not
- *   exist. If this number is not 0, the array is present, and there is a warning. If all scans are
- *   missing, there is an error.
+ *   exist. If this number is 0, the array is absent. Otherwise, there is a warning. If all scans
+ *   are missing, there is an error.
  *
  * vtkSurfaceFileReader describes what all readers of this module have in common.
  *
@@ -38,9 +38,9 @@ public:
 
   ///@{
   /**
-   * Whether each point is rotated by the quaternion of its scan. Default is off: each point is
-   * rotated by the inverse of this rotation, as the files of the repository require. If the scans
-   * do not overlap, change this property.
+   * Whether each point is rotated by the quaternion that the .conf file specifies for its scan.
+   * Default is off: each point is rotated by the inverse of this rotation, as the files of the
+   * Stanford repository require. If the scans do not fit together, change this property.
    */
   vtkSetMacro(InvertRotation, bool);
   vtkGetMacro(InvertRotation, bool);

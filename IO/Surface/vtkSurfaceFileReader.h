@@ -6,32 +6,33 @@
  * that all readers of this module have in common.
  *
  * Output port 0: vtkPolyData, the points and polygons of a file. A file without polygons is a point
- * cloud. Each point of a cloud gets a vertex cell, so that the cloud is visible.
+ * cloud. Each point of a cloud gets a vertex cell, so that VTK draws the cloud.
  * - point arrays "Normals" (3 components), "TCoords" (2), "RGB" or "RGBA" (unsigned char): present
  *   only if the file has these data. These arrays are active. The documentation of each reader
  *   describes the types and all other arrays.
  * - field arrays "NumberOfDroppedPoints", "NumberOfDroppedPolygons", "NumberOfReplacedValues",
  *   "NumberOfSkippedLines", "NumberOfUnreadBytes", "NumberOfMissingScans" (vtkIdType, 1 component):
- *   numbers of data that were left out or replaced. Each array is present only if its number is not
- *   0. A warning then also states the number. If a coordinate of a point of a cloud is not finite,
- *   the point is dropped. If a polygon has fewer than 3 ids or a repeated id, the polygon is
- *   dropped. Other values that are not finite are replaced by 0.
+ *   numbers of data that were left out or replaced. If the number is 0, the array is absent.
+ *   Otherwise, there is also a warning with the number. If a coordinate of a point of a cloud is
+ *   not finite, the point is dropped. If a polygon has fewer than 3 ids or a repeated id, the
+ *   polygon is dropped. Other values that are not finite are replaced by 0.
  *
  * Malformed files, truncated files, and meshes with non-finite points or invalid ids cause an
  * error. The message of the error states the line or byte. The output is then empty, and an error
  * code of vtkErrorCode is set. Numbers are read in the same way in every locale. If a reader is
  * aborted, the output is empty, and there is no error.
  *
- * While the reader is executed, it uses the values that the properties have at the beginning.
- * Observers of the progress may change properties, including file names, for the next execution.
+ * An execution of the reader uses the values that the properties have at its beginning. If an
+ * observer of the progress changes a property, such as a file name, the new value is used by the
+ * next execution.
  *
- * This class is abstract. Only readers of this module can be derived from it, since headers of the
- * functions to implement are not installed. Use one of the derived readers.
+ * This class is abstract. Classes outside of this module cannot be derived from this class, since
+ * the headers of the functions to implement are not installed. Use one of the derived readers.
  *
- * A pipeline may request one of several pieces of the data. If the file can be divided, the reader
- * then reads only this piece of the file. Some files of point clouds can be divided. All pieces in
- * sequence are the whole file. If a file cannot be divided, the first piece is the whole file, and
- * the other pieces are empty.
+ * A pipeline can request one of several pieces of the data. Some files of point clouds can be
+ * divided: the reader then reads only the requested piece of the file. All pieces in sequence are
+ * the whole file. If a file cannot be divided, the first piece is the whole file, and the other
+ * pieces are empty.
  */
 
 #ifndef vtkSurfaceFileReader_h
@@ -75,17 +76,17 @@ public:
   /**
    * Return the names of all files that the reader would open, whether they exist or not. The array
    * contains FileName, files that are set by other properties, files that FileName lists, and files
-   * whose names are made from FileName. A program that writes files can thus avoid replacing an
-   * input. Points are not read. Every call fills the array again. If FileName is not set, the array
-   * is empty.
+   * whose names are made from FileName. With these names, a program that writes files can avoid
+   * replacing an input. Points are not read. Every call fills the array again. If FileName is not
+   * set, the array is empty.
    */
   vtkStringArray* GetReadFileNames();
 
   ///@{
   /**
    * Controller of the processes that read a file together. Each process requests the piece with the
-   * number of the process. An error on one process is then reported on all processes. Without this
-   * report, the other processes could wait forever in a later filter. Default is the global
+   * number of the process. An error on one process is reported on all processes. Otherwise, the
+   * other processes could wait forever for this process in a later filter. Default is the global
    * controller.
    */
   virtual void SetController(vtkMultiProcessController* controller);

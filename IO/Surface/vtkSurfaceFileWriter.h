@@ -2,8 +2,8 @@
  * @class   vtkSurfaceFileWriter
  * @brief   base class of all writers of scans and meshes of this module
  *
- * Write points and polygons to one or more files. All files of one surface are written completely,
- * or none.
+ * Write points and polygons to one or more files. Either all files of a surface are written
+ * completely, or no file is written.
  *
  * Input port 0: vtkPolyData (for vtkSPHARMCoefficientWriter: vtkTable), points, with or without
  * polygons. Strips are triangulated. Vertex and line cells are left out. Active normals, texture
@@ -12,8 +12,8 @@
  * describes which arrays its format can store. It is an error if the number of tuples of an array
  * differs from the number of points or cells. It is also an error if a cell has invalid point ids.
  *
- * This class is abstract. Only writers of this module can be derived from it, since headers of the
- * functions to implement are not installed. Use one of the derived writers.
+ * This class is abstract. Classes outside of this module cannot be derived from this class, since
+ * the headers of the functions to implement are not installed. Use one of the derived writers.
  *
  * After an error, existing files are unchanged, an error code of vtkErrorCode is set, and Write()
  * returns 0. If a writer is aborted, no file is written, and no error is reported. Write() then
@@ -24,13 +24,13 @@
  * files with these names are replaced, even if another program made these files. If the file
  * FileName did not exist before, a warning lists the further files that were replaced.
  *
- * Write() uses the values that the properties and inputs have at its beginning. Observers of the
- * progress may change properties and inputs for the next call of Write().
+ * Write() uses the values that the properties and inputs have at its beginning. If an observer of
+ * the progress changes a property or an input, the new value is used by the next call of Write().
  *
- * Only regular files are replaced. If the name is that of a directory, pipe, socket, device or
- * write-protected file, nothing is written (error code CannotOpenFileError). If the name has a
+ * Only regular files are replaced. If FileName is the name of a directory, pipe, socket, device or
+ * write-protected file, nothing is written (error code CannotOpenFileError). If FileName has a
  * newline or another control character, nothing is written (error code UserError). If a required
- * port has no input, the error code is also UserError.
+ * input port has no input, nothing is written (error code UserError).
  *
  * If FileName is a symbolic link, the link is kept, and the file to which it points is replaced or
  * made. The new file gets the permissions of the replaced file, except setuid, setgid and sticky
@@ -97,9 +97,9 @@ protected:
   // Write all files. FileName is set. The caller converts exceptions to errors.
   virtual void WriteFiles(const conformal::Run& run) = 0;
 
-  // Write all given files completely, or none. The last file is FileName. Names of the other files
-  // are made from FileName. If the file FileName did not exist before, a warning lists the other
-  // files that were replaced. All writers must write files by this function only.
+  // Write all given files completely, or no file. The last file is FileName. Names of the other
+  // files are made from FileName. If the file FileName did not exist before, a warning lists the
+  // other files that were replaced. All writers must write files by this function only.
   void WriteTogether(const std::vector<std::pair<std::string, std::string_view>>& files);
 
   // Convert the input by a function, and write the resulting text to FileName. The function throws

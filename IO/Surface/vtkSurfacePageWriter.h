@@ -3,9 +3,9 @@
  * @brief   write a web page that shows a surface and its sphere in any browser
  *
  * Write a web page that shows a surface and its map to the sphere. The page is one file that needs
- * no network. The page shows surface and sphere side by side, colored by a picture or any point
- * array. The user can rotate surface and sphere. A point that is picked on the surface is also
- * marked on the sphere, and vice versa.
+ * no network. The page shows the surface and the sphere side by side. Both are colored by a picture
+ * or any point array. The user can rotate surface and sphere. A point that is picked on the surface
+ * is also marked on the sphere, and vice versa.
  *
  * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertex and line
  * cells are left out.
@@ -23,17 +23,17 @@
  * (RGBA) components.
  *
  * The page is one file that needs no network and sends no data. Any browser of 2023 or later can
- * open the page, also on phones. Mouse, touch or keyboard rotate surface and sphere, together or
- * separately. A slider morphs the surface into the sphere. A point that is picked on the surface is
- * also marked on the sphere, and vice versa. For a picked point, the page shows the position, the
- * values, and the longitude and latitude as in vtkBodyMap. The title of the page is the name of the
- * file without the extension.
+ * open the page, on computers and phones. The user rotates the surface and the sphere by mouse,
+ * touch or keyboard, together or separately. A slider morphs the surface into the sphere. A point
+ * that is picked on the surface is also marked on the sphere, and vice versa. For a picked point,
+ * the page shows the position, the values, and the longitude and latitude as in vtkBodyMap. The
+ * title of the page is the name of the file without the extension.
  *
  * The page uses the library three.js for graphics. The writer copies this library into the page
- * from a file on this computer, on Debian from the package libjs-three. If the file is missing,
- * there is an error.
+ * from a file on this computer, see ThreeJSFileName. On Debian, the package libjs-three contains
+ * this file. If the file is missing, there is an error.
  *
- * Data in the page are rounded. Positions have 16 bits per coordinate, within the bounds of the
+ * Data in the page are rounded. Each coordinate is a 16-bit integer, scaled to the bounds of the
  * surface. Positions on the sphere have an error of at most 0.006 degrees. Values have an error of
  * at most 1/65534 of the range of their array. Integers are exact if the range of their array is at
  * most 4 * 10^9. A page of 64,002 points, with a picture and few arrays, has at most 3 MB. Each
@@ -84,8 +84,9 @@ public:
   ///@{
   /**
    * Direction from the model to the viewer when the page is opened, in the coordinates of the
-   * model. The vector may have any length but 0. In the middle of the sphere is the visible surface
-   * point on the line of sight through the surface's centroid. Default is (0, 0, 1).
+   * model. The vector may have any length but 0. The line of sight through the surface's centroid
+   * intersects the surface. The first intersection is shown in the middle of the sphere. Default is
+   * (0, 0, 1).
    */
   vtkSetVector3Macro(ViewDirection, double);
   vtkGetVector3Macro(ViewDirection, double);
@@ -121,8 +122,8 @@ public:
 
   ///@{
   /**
-   * JPEG quality of the picture. With 1, the page is smallest; with 100, the quality is best. The
-   * number is in [1, 100]. Default is 85.
+   * JPEG quality of the picture. With 1, the page is smallest. With 100, the quality is best. In
+   * [1, 100]. Default is 85.
    */
   vtkSetClampMacro(TextureQuality, int, 1, 100);
   vtkGetMacro(TextureQuality, int);

@@ -3,28 +3,29 @@
  * @brief   read point clouds as text: XYZ, ASC, TXT, CSV, NTS, PTS
  *
  * Read a point cloud from a text file, one point from each line: XYZ, ASC, TXT, CSV, NTS and PTS
- * files. Numbers may be separated by blanks, tabs, commas or semicolons. A line of column names, or
- * the values of the numbers, determine which columns are normals, colors and intensities.
+ * files. Numbers may be separated by blanks, tabs, commas or semicolons. A line of column names
+ * determines which columns are normals, colors and intensities. Without this line, the number of
+ * columns and the values determine the meaning of the columns.
  *
  * Output port 0: vtkPolyData, one point (double) and one vertex for each line. Numbers are
  * separated by blanks, tabs, commas or semicolons. Blank lines and lines that begin with #, // or ;
  * are skipped. If the first line of numbers contains only one number, this is the number of points
- * that follow, as in PTS files. Such a file may have several blocks of points, each after its
- * number of points.
+ * that follow, as in PTS files. A file of this kind can have several blocks of points, each after
+ * its number of points.
  *
- * A line of column names before the numbers defines the meaning of the columns. This line may be a
- * comment. Without column names, the number of columns and the values in the first hundred lines
- * determine the meaning.
+ * A line of column names before the numbers defines the meaning of the columns. The line of names
+ * can be a comment. Without column names, the number of columns and the values in the first hundred
+ * lines determine the meaning.
  * - point array "Normals" (double, 3 components), active: columns nx, ny, nz or normal_x, normal_y,
- *   normal_z. Without names, these are the last three of six columns, if all of these vectors have
- *   length 1 (within 0.01) or 0.
+ *   normal_z. Without names, normals are the last three of six columns, if all of these vectors
+ *   have length 1 (within 0.01) or 0.
  * - point array "RGB" (unsigned char, 3 components), active scalars: columns r, g, b or red, green,
- *   blue, if all values are integers in [0, 255]. Without names, these are the last three of six
- *   columns, if these columns are not normals. In nine columns, the last six are normals and
+ *   blue, if all values are integers in [0, 255]. Without names, colors are the last three of six
+ *   columns, if these columns are not normals. Of nine columns, the last six are normals and
  *   colors, in either order.
- * - point array "Intensity" (double, 1 component): column i or intensity. Without names, this is
- *   the fourth of four columns. In seven columns, the last four are intensity and colors, in either
- *   order.
+ * - point array "Intensity" (double, 1 component): column i or intensity. Without names, the
+ *   intensity is the fourth of four columns. Of seven columns, the last four are intensity and
+ *   colors, in either order.
  * - one point array (double, 1 component) for every other column, with the name of the column.
  *   Without names, the arrays are "Column4" and so on.
  *
@@ -49,7 +50,7 @@ public:
 
   ///@{
   /**
-   * Whether the decimal separator is a comma, as in 0,5. Commas then do not separate numbers.
+   * Whether the decimal separator is a comma, as in 0,5. If on, commas do not separate numbers.
    * Default is off: decimal commas in a file with blanks or semicolons between numbers cause an
    * error.
    */

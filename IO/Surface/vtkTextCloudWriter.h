@@ -10,8 +10,9 @@
  * arrays, separated by blanks. If there are more columns than x, y and z, a comment at the
  * beginning names the columns. Columns of active normals and colors (3 unsigned chars) get the
  * names that vtkTextCloudReader recognizes. Any other array with several components becomes several
- * columns. If another column already has the same name, "_" is appended to the name. Polygons are
- * left out. Numbers are written with enough digits to be read back exactly.
+ * columns. If two columns would have the same name, "_" is appended to the name of the second
+ * column. Polygons are left out. Numbers have enough digits for readers to restore the exact
+ * values.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *

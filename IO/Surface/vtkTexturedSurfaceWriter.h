@@ -8,27 +8,27 @@
  * Input port 0: vtkPolyData, the surface. Polygons and strips are triangulated. Vertex and line
  * cells are left out.
  * - active texture coordinates of the points (any type, 2 components): u to the right and v upward.
- *   At the borders of the picture, coordinates are 0 and 1. RepeatTexture defines the color beyond
- *   the borders.
+ *   At the borders of the picture, u and v are 0 or 1. The property RepeatTexture defines the color
+ *   beyond the borders.
  * - active normals of the points (any type, 3 components): optional.
  *
  * Input port 1: vtkImageData, the texture: one slice of unsigned char, 3 (RGB) or 4 (RGBA)
  * components.
  *
  * The extension of FileName, in lower or upper case, selects the format:
- * - ".glb": binary glTF 2.0, one file with the texture inside. Coordinates are floats. Far from the
- *   origin, rounding to floats may shift a point by more than 1e-5 of the surface's size. In this
- *   case, coordinates are relative to the middle of the surface. The node (scene object) of the
- *   surface then has a translation to this middle. The node has the name of the file.
- * - ".obj": Wavefront OBJ with doubles. Two further files with this name and other extensions are
- *   written: a material (".mtl") and the texture (".png").
+ * - ".glb": binary glTF 2.0, one file with the texture inside. Coordinates are floats. If the
+ *   surface is far from the origin, rounding to floats can shift points. If a shift exceeds 1e-5 of
+ *   the surface's size, coordinates are written relative to the middle of the surface. The node
+ *   (scene object) of the surface then has a translation to this middle. The node has the name of
+ *   the file.
+ * - ".obj": Wavefront OBJ with doubles. Two further files are written, a material (".mtl") and the
+ *   texture (".png"). Their names are made from FileName by another extension.
  * - ".ply": binary PLY with doubles, and with the texture coordinates "texture_u" and "texture_v"
- *   of the vertices. One further file with this name and another extension is written: the texture
- *   (".png").
+ *   of the vertices. The texture is a further file. Its name is FileName with the extension ".png".
  *
  * Existing material and texture files with these names are replaced, even if another program made
- * these files. If such a file is replaced, but the file FileName did not exist before, there is a
- * warning.
+ * these files. If the file FileName did not exist before, but one of the other files is replaced,
+ * there is a warning.
  *
  * vtkSurfaceFileWriter describes what all writers of this module have in common.
  *
@@ -74,8 +74,8 @@ public:
   ///@{
   /**
    * Length of one unit of the coordinates in meters, such as 0.001 for a scan in millimeters. This
-   * value is used only for glTF, whose unit is the meter. Programs then show the surface in its
-   * true size. The value is finite and above 0. Default is 1.
+   * value is used only for glTF, whose unit is the meter. With the correct value, programs show the
+   * surface in its true size. The value is finite and above 0. Default is 1.
    */
   vtkSetMacro(MetersPerUnit, double);
   vtkGetMacro(MetersPerUnit, double);
