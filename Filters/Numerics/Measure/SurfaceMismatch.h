@@ -23,7 +23,8 @@ enum class MismatchUnit
 struct SurfaceMismatchOptions
 {
   MismatchUnit LengthUnit = MismatchUnit::MaxRadius;
-  double CoordinateUnit = 1.0; ///< length of a coordinate difference of 1, in the unit of the user, such as 0.001 for coordinates in mm and the unit m
+  double CoordinateUnit = 1.0; ///< length of a coordinate difference of 1, in the unit of the user,
+                               ///< such as 0.001 for coordinates in mm and the unit m
   /// Number of samples of the surface of the model, spread evenly over the area.
   int NumberOfSamples = 60000;
   int RandomSeed = 1; ///< seed of the positions of the samples

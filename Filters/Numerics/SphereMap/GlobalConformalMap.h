@@ -52,7 +52,8 @@ struct GlobalConformalMapResult
   /// Number of edges with a negative string constant: the sum of the angles opposite to the edge
   /// exceeds pi
   Index NumberOfNegativeStringConstants = 0;
-  Index NumberOfInfiniteStringConstants = 0; ///< number of edges with an infinite string constant: an adjacent triangle has zero area
+  /// Number of edges with an infinite string constant: an adjacent triangle has zero area
+  Index NumberOfInfiniteStringConstants = 0;
 };
 
 /// Map a closed surface of genus zero to the unit sphere, \cite Liou2008 section 4.1. Triangles are
@@ -65,10 +66,10 @@ struct GlobalConformalMapResult
 ///    another triangle.
 /// 3. Find triangles whose angles are not preserved. Move the vertices of these triangles so that
 ///    angles are preserved better.
-/// 4. If a triangle is flipped or too small, use mapToSphere() instead, which inserts the vertices
-///    one by one. Several values of its option AreaBalance are tried in ascending order. The last
-///    attempt inserts vertices as if all triangles were equal (option ConnectivityFirst). This
-///    attempt succeeded on every surface tested.
+/// 4. If a triangle is flipped or too small, use mapToSphere() instead. This function inserts the
+///    vertices one by one. Several values of its option AreaBalance are tried in ascending order.
+///    The last attempt inserts vertices as if all triangles were equal (option ConnectivityFirst).
+///    This attempt succeeded on every surface tested.
 ///
 /// If AreaBalance is above 0, steps 1 to 3 are omitted, and only mapToSphere() is used.
 ///

@@ -26,7 +26,8 @@ struct GuYauResult
   /// Number of edges with a negative string constant: the sum of the angles opposite to the edge
   /// exceeds pi
   Index NumberOfNegativeStringConstants = 0;
-  Index NumberOfInfiniteStringConstants = 0; ///< number of edges with an infinite string constant: an adjacent triangle has zero area
+  /// Number of edges with an infinite string constant: an adjacent triangle has zero area
+  Index NumberOfInfiniteStringConstants = 0;
 };
 
 /// Minimize the harmonic energy of a map to the sphere, \cite Gu2004 and \cite Liou2008 section
