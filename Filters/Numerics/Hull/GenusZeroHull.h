@@ -114,9 +114,9 @@ struct GenusZeroHullResult : Mesh
 ///
 /// A node is called enclosed if it is on the inside, and farther than the offset from all points.
 /// If the object has a handle, the cut through the handle removes enclosed nodes, or nodes near
-/// points. If two limbs are closer to each other than twice the offset, the solid has a handle that
-/// the object does not have. The cut between the limbs removes no enclosed nodes and no nodes near
-/// points.
+/// points. If two limbs (thin parts of the object) are closer to each other than twice the offset,
+/// the solid has a handle that the object does not have. The cut between the limbs removes no
+/// enclosed nodes and no nodes near points.
 ///
 /// A few removed nodes are tolerated, since sparse points can have gaps:
 /// - one enclosed node per handle, at most four in total,

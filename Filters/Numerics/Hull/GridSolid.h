@@ -28,8 +28,8 @@ Index keepLargestPiece(
 /// nodes lead from one end to the other.
 enum class HandleCut
 {
-  HalfWay,     ///< cut as far as possible from the enclosed nodes: midway between limbs
-  FarFromData, ///< cut as far as possible from the data
+  HalfWay,     ///< cut farthest from the enclosed nodes: midway between limbs (thin parts)
+  FarFromData, ///< cut farthest from the data
 };
 
 /// Cut the handles of a solid, a set of nodes, until no handle is left.

@@ -18,7 +18,8 @@ namespace conformal
 {
 /// Join the connected components of a solid to the largest component. Each path that joins a
 /// component leads along nodes whose indicator is as little below the level as possible. This
-/// function reattaches thin limbs that are disconnected because points are sparse.
+/// function reattaches limbs (thin parts of the object) that are disconnected because points are
+/// sparse.
 ///
 /// A component is removed instead in three cases:
 /// - The component is tiny: fewer than 0.05 % of all nodes of the solid.
