@@ -21,8 +21,8 @@ struct OrientedPoints
 
 /// Select samples evenly from the sequence of all samples. The sequence is divided into intervals
 /// of equal length. One sample is selected from each interval. The position of the selected sample
-/// varies from interval to interval. A fixed position would select similar points if the sequence
-/// of the points is periodic, as in the rows of a scan. If the samples are distributed over ranks
+/// varies from interval to interval. If the sequence of the points is periodic, as in the rows of a
+/// scan, a fixed position would select similar points. If the samples are distributed over ranks
 /// (MPI processes), every rank returns the selected samples of all ranks.
 /// @param[in] maximum  approximate number of samples to select. If there are fewer samples, all are
 ///   selected.
@@ -33,8 +33,8 @@ OrientedPoints selectSamples(const TrainingSamples& samples, double maximum);
 OrientedPoints without(const OrientedPoints& cloud, const std::vector<std::uint8_t>& marks);
 
 /// Replace the points in each cube of a grid by their mean. The size of the cubes is chosen so that
-/// there are at most `count` means, and not many fewer. The means have less noise than the points.
-/// In dense parts of the cloud, more points are averaged than in sparse parts.
+/// the number of means is at most `count`, and close to `count`. The means have less noise than the
+/// points. In dense parts of the cloud, more points are averaged than in sparse parts.
 /// @param[in] count  maximum number of means, at least 1. A cloud of at most `count` points is
 ///   returned unchanged.
 OrientedPoints thin(const OrientedPoints& cloud, Index count, const Run& run = {});

@@ -1,7 +1,7 @@
-/// Detect points so far from a point cloud that they would determine the size of its bounding box.
-/// The method is our own construction: it finds gaps in the distances of points from the median.
-/// Criteria based on distances to neighbors are not used, because they fail if many outliers have
-/// one position.
+/// Detect the far points of a cloud: a few points that are so far from all others that the bounding
+/// box of the cloud would be much too large. The method is our own construction: it finds gaps in
+/// the distances of points from the median. Distances between neighboring points are not used,
+/// because they are small if many outliers have one position.
 
 #ifndef ConformalFarPoints_h
 #define ConformalFarPoints_h
@@ -27,9 +27,10 @@ struct FarPoints
   /// number is 0.
   double MaximumCoordinate = 0.0;
 
-  /// One quarter of the coordinate-wise median of the points
+  /// One quarter of the coordinate-wise median of the points; see contains() for the reason of the
+  /// quarter
   Vector3 QuarterOfCenter = Vector3::Zero();
-  /// One quarter of the distance from the median beyond which points are far
+  /// One quarter of the minimum distance of far points from the median
   double QuarterOfReach = std::numeric_limits<double>::infinity();
 
   /// Test whether a finite point is far. The test uses quarters of coordinates, since differences
@@ -40,23 +41,21 @@ struct FarPoints
   }
 };
 
-/// Find the far points of a cloud: a few points at a great distance from all others. If its
-/// bounding box included these points, the cloud would occupy only a few cells of any grid over the
-/// box. Examples of far points are invalid pixels with position (0, 0, 0), and outliers with huge
-/// coordinates.
+/// Find the far points of a cloud: a few points at a great distance from all others. In a grid over
+/// the bounding box of all points, the other points would occupy only a few cells. Examples of far
+/// points are invalid pixels with position (0, 0, 0), and outliers with huge coordinates.
 ///
 /// Distances are measured from the coordinate-wise median, in the maximum norm. The radius of the
-/// cloud is the distance within which nine tenths of the positions lie. Two sets of points are
-/// tested, in the sequence of the following list. The far points are the first set that is
-/// accepted.
-/// - points beyond a gap. A gap is an interval of distances from R to 4 R that contains at most 3
-///   points, where R is at least the radius. The gap with the smallest R is used.
+/// cloud is the distance within which nine tenths of the positions lie. Two candidates, each a set
+/// of points, are tested in this sequence. The far points are the first candidate that is accepted.
+/// - points beyond a gap. Let R be a distance of at least the radius. The interval of distances
+///   from R to 4 R is a gap if it contains at most 3 points. The gap with the smallest R is used.
 /// - points at distances above 32 times the radius.
 ///
 /// A set is accepted in two cases:
 /// - The set has at most 32 different positions.
-/// - The number of its different positions is at most a twentieth of the number of points of the
-///   cloud, and the set does not form a surface.
+/// - Its different positions are at most a twentieth as many as the points of the cloud, and the
+///   set does not form a surface.
 ///
 /// A set forms a surface if at least a quarter of its positions are flat. A position is flat if two
 /// conditions hold:

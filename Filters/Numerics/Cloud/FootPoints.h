@@ -38,7 +38,7 @@ void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, In
 /// position of sample idOf(i), and foot is the point of a triangle mesh closest to x. The samples
 /// are sorted along a Morton curve, on which successive samples are usually close together. The
 /// triangles near the samples thus stay in the cache of the processor. Use this function only if
-/// the sequence of calls does not matter. An example are FixedPointSums, whose sums do not depend
+/// the sequence of calls does not matter, for example with FixedPointSums, whose sums do not depend
 /// on the order.
 void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
   const std::function<Index(Index)>& idOf,

@@ -1,6 +1,6 @@
-/// Compute the typical distance between samples and a mesh at each vertex, the local scale, to
-/// reject outliers. Local scales are our own construction. One global scale would reject features
-/// that the mesh has not learned yet.
+/// Reject outliers by a local scale: the typical distance between samples and a mesh at each
+/// vertex. Local scales are our own construction. With one scale for all vertices, samples at
+/// features that the mesh has not learned yet would be rejected.
 
 #ifndef ConformalLocalScale_h
 #define ConformalLocalScale_h
@@ -15,15 +15,16 @@ namespace conformal
 {
 /// Typical distance of samples from a mesh (local scale) at each vertex. The local scale is the
 /// root mean square distance of the samples near the vertex. A sample is near the vertex if the
-/// closest triangle of the sample has a corner at most two edges from the vertex. If the distance
-/// of a sample is much larger than the local scale, the sample is an outlier. Near a feature that
-/// is not learned yet, the distances of many samples are large. These samples increase the local
-/// scale, and are therefore not rejected.
+/// triangle closest to the sample has a corner at most two edges from the vertex. If the distance
+/// of a sample from the mesh is much larger than the local scale, the sample is an outlier. Near a
+/// feature of the cloud that the mesh has not learned yet, the distances of many samples are large.
+/// They increase the local scale, so that the samples are not rejected.
 class LocalScale
 {
 public:
   /// @param[in] neurons  number of vertices of the mesh
-  /// @param[in] outlierRatio  ratio of distance to local scale above which a sample is an outlier
+  /// @param[in] outlierRatio  minimum ratio of distance to local scale for which a sample is an
+  ///   outlier
   LocalScale(Index neurons, double outlierRatio);
 
   /// Test whether a sample is an outlier, by the local scale of the last update. Before the first

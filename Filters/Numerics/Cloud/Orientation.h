@@ -17,7 +17,7 @@ struct OrientationOptions
 {
   int NumberOfIterations = 20;
   /// Smoothing width in the first iteration [units of the points]: the radius of the ball over
-  /// which winding numbers are averaged, see WindingNumbers. In later iterations, the width
+  /// which winding numbers are averaged, see WindingNumbers. From iteration to iteration, the width
   /// decreases linearly to LastWidth.
   double FirstWidth = 0.04;
   /// Smoothing width in the last iteration [units of the points]. A good width is half the distance
@@ -28,18 +28,17 @@ struct OrientationOptions
 
 /// Compute outward area vectors at the points of a cloud. An area vector is the outward normal
 /// times the area that the point represents. The area vectors define winding numbers, which are
-/// about 1 inside and 0 outside. The aim is a winding number of 1/2 at all points. Initially, all
-/// area vectors are zero. Each iteration has two parts:
-/// - One step of steepest descent reduces the sum of squares of A a - 1/2. Here, a are the area
-///   vectors, and A a are the winding numbers at the points. The term of each point is weighted by
+/// about 1 inside and 0 outside. The area vectors are chosen so that the winding number is close to
+/// 1/2 at all points. Initially, all area vectors are zero. Each iteration has two parts:
+/// - Let a be the area vectors, and A a the winding numbers at the points. One step of steepest
+///   descent reduces the sum of squares of A a - 1/2. The term of each point is weighted by
 ///   sparsityOf(), so that sparse parts of the cloud count more. This part is Parametric Gauss
 ///   Reconstruction, \cite Lin2022.
 /// - Each area vector is rotated to the direction of the negative gradient of the winding number.
 ///   This part is Winding Number Normal Consistency, \cite Lin2024.
 ///
 /// Every normal depends on all points of the cloud, not only on points nearby. If a scan has holes,
-/// normals are therefore still consistent, provided that the other points determine inside and
-/// outside.
+/// its normals are still consistent, provided that the other points determine inside and outside.
 ///
 /// @return #P by 3 area vectors
 /// @throws Aborted
@@ -51,9 +50,10 @@ Points orient(
 /// @return #P areas
 std::vector<double> areasOfPoints(const Points& points, const Run& run = {});
 
-/// Compute how sparse the cloud is at each point. The result is the area of the point, see
-/// areasOfPoints(), divided by the median area. The result is 1 if this ratio is at most 4. The
-/// result is also 1 for outliers, which isolatedPoints() (StrayPoints.h) marks with farthest = 2.5.
+/// Compute how sparse the cloud is at each point. The result is the area of the point (see
+/// areasOfPoints()), divided by the median area. There are two exceptions, for which the result is
+/// 1: ratios of at most 4, and outliers. Outliers are the points marked by isolatedPoints()
+/// (StrayPoints.h) with farthest = 2.5.
 /// @return #P ratios, at least 1
 Eigen::VectorXd sparsityOf(const Points& points, const Run& run = {});
 
@@ -66,9 +66,9 @@ Points areaVectors(const Points& points, const Points& normals, const Run& run =
 /// reverse all area vectors.
 /// @param[in,out] areas  #P by 3 area vectors
 /// @param[in] width  smoothing width of the winding numbers, in the unit of the points
-/// @return whether the orientations are consistent: afterward, the median is above 0.15, and more
-///   than three quarters of the winding numbers are positive. If false, do not use the area
-///   vectors.
+/// @return whether the orientations are consistent: after the reversal, the median is above 0.15,
+///   and more than three quarters of the winding numbers are positive. If false, do not use the
+///   area vectors.
 bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const Run& run = {});
 
 /// Estimated noise of the points of a cloud, computed by noiseOf().
@@ -78,8 +78,8 @@ struct PointNoise
   /// point
   Eigen::VectorXd Offsets;
   /// Standard deviation of the noise, estimated from Offsets. The bending of the surface also
-  /// causes offsets, nearly equal at neighboring points. These offsets are therefore subtracted
-  /// first.
+  /// causes offsets, which are nearly equal at neighboring points. The offsets due to bending are
+  /// therefore subtracted first.
   double Deviation = 0.0;
 };
 

@@ -1,7 +1,7 @@
 /// Select another subset of the samples for each pass of training, deterministically. The selection
-/// is our own construction: in each pass, the selected positions are shifted by 0.618 (the golden
-/// section) of their spacing. The subsets of successive passes are then evenly distributed over all
-/// samples.
+/// is our own construction: from pass to pass, the selected positions in the sequence of samples
+/// are shifted by 0.618 (the golden section) of their spacing. The subsets of successive passes are
+/// then evenly distributed over all samples.
 
 #ifndef ConformalSampleRotation_h
 #define ConformalSampleRotation_h
@@ -14,11 +14,11 @@
 
 namespace conformal
 {
-/// Selection of the samples of each pass of training. If there are at most as many samples as
-/// wanted, all are selected. Otherwise, samples at equal spacing in the sequence of the cloud are
-/// selected. The first selected position differs from pass to pass. In the course of many passes,
-/// all samples are thus selected. Each rank (MPI process) selects from its part of the cloud. All
-/// ranks together select the same samples as a single process would.
+/// Selection of the samples of each pass of training. If the wanted number is at least the number
+/// of all samples, all samples are selected. Otherwise, samples at equal spacing in the sequence of
+/// the cloud are selected. The first selected position differs from pass to pass. In the course of
+/// many passes, all samples are thus selected. Each rank (MPI process) selects from its part of the
+/// cloud. All ranks together select the same samples as a single process would.
 class SampleRotation
 {
 public:

@@ -1,6 +1,7 @@
 /// Detect outliers: points off the surface that is formed by the points around them, and points far
 /// from all others. The method is our own construction: it measures distances from planes fitted to
-/// eight neighbors. These distances need neither normals nor a scale.
+/// eight neighbors. The method requires no normals of the points, and no length that depends on the
+/// cloud.
 
 #ifndef ConformalStrayPoints_h
 #define ConformalStrayPoints_h
@@ -14,8 +15,8 @@
 
 namespace conformal
 {
-/// Plane fitted to the points nearest to a position. The nearest point is not used. Usually, the
-/// position is that of a point of the cloud, which is its own nearest point.
+/// Plane fitted to the points nearest to a position. Usually, the position is that of a point of
+/// the cloud. Because this point is the nearest one, the nearest point is not used.
 struct NearestPlane
 {
   Vector3 Normal; ///< unit length
@@ -31,8 +32,8 @@ struct NearestPlane
 NearestPlane planeNear(
   const Points& points, const PointTree& tree, const Vector3& place, int count);
 
-/// Test whether a position and the points nearest to it are approximately in one plane. The test is
-/// made with the eight nearest points, and with the sixteen nearest points. One success suffices.
+/// Test whether a position and the points nearest to it are approximately in one plane. The result
+/// is true if the eight nearest points or the sixteen nearest points pass the test.
 /// @param[in] tree  tree of `points`; must have more than eight points
 bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place);
 
@@ -53,12 +54,13 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {})
 /// nearest neighbors. A point is also marked if its d exceeds `farthest` times the median of d over
 /// all points.
 ///
-/// Marked points may also be a sparse part of a surface. Their marks are therefore removed: a point
-/// loses its mark if at least a quarter of the 32 marked points nearest to it pass liesFlat().
+/// Points of a sparse part of a surface are also marked first. Their marks are removed afterward: a
+/// point loses its mark if at least a quarter of the 32 marked points nearest to it pass
+/// liesFlat().
 ///
 /// @param[in] points    #P by 3 coordinates, finite
-/// @param[in] farthest  maximum d of points that are not marked, divided by the median of d over
-///   all points
+/// @param[in] farthest  maximum of d, divided by the median of d over all points, for points that
+///   are not marked
 /// @return #P marks: 1 for isolated points, 0 for other points. If there are at most eight points,
 ///   all marks are 0.
 /// @throws Aborted

@@ -18,7 +18,7 @@ namespace conformal
 /// samples to the origin. Normalization then scales the largest distance of a sample from the
 /// origin to 1.
 ///
-/// The cloud may be distributed over several ranks (MPI processes). Each rank then has the samples
+/// The cloud can be distributed over several ranks (MPI processes). Each rank then has the samples
 /// of its part of the cloud. Normalization uses the centroid and radius of the whole cloud. All
 /// ranks must call the same functions.
 class TrainingSamples
@@ -40,8 +40,8 @@ public:
   Index size() const { return this->Size; }
   /// Return the number of samples on all ranks.
   Index totalSize() const { return this->OfAll.Total; }
-  /// Return the number of samples on lower ranks. This number is the position of this rank's first
-  /// sample among the samples of all ranks.
+  /// Return the number of samples on lower ranks. In the sequence of the samples of all ranks, this
+  /// is the position of this rank's first sample.
   Index firstOfTotal() const { return this->OfAll.Before; }
   bool empty() const { return this->OfAll.Total == 0; }
 
@@ -52,7 +52,8 @@ public:
   {
     return this->weighted() ? this->Weights[this->id(i)] / this->MaximumWeight : 1.0;
   }
-  /// Test whether weights were given on any rank. A rank without points has no weights.
+  /// Test whether weights were given on any rank. On a rank without points, the result can thus
+  /// also be true.
   bool weighted() const { return this->Weighted; }
 
   /// Set the normals of the points: #P by 3 vectors of any length, not copied. A normal that is

@@ -11,21 +11,22 @@
 
 namespace conformal
 {
-/// Winding numbers of a point cloud. The winding number of a closed surface is 1 inside and 0
-/// outside. Each point y_j of the cloud represents a part of the surface. The area vector a_j is
-/// the area of this part times the outward unit normal. Following \cite Barill2018, the winding
-/// number w at a position x is
+/// Winding numbers of a point cloud. At a position, the winding number of a closed surface is 1 if
+/// the position is inside, and 0 if it is outside. Each point y_j of the cloud represents a part of
+/// the surface. The area vector a_j is the area of this part times the outward unit normal.
+/// Following \cite Barill2018, the winding number w at a position x is
 ///
 ///     w(x) = sum_j a_j . K(y_j - x),   K(d) = d / (4 pi max(|d|, width)^3)
 ///
 /// The result w(x) is the winding number averaged over a ball of radius `width` around x. The
-/// average is smooth near the points. Winding numbers at given positions are linear in the area
-/// vectors a. Below, A is the matrix of this linear map, and A a are the winding numbers.
+/// average is smooth near the points. The winding numbers at given positions are a linear function
+/// of the area vectors a. Below, A is the matrix of this function, so that A a are the winding
+/// numbers.
 ///
 /// The points of a distant cluster are added as one point. A cluster is distant from x if two
 /// conditions hold:
-/// - The distance from x to the center of its bounding box exceeds twice the longest side of this
-///   box.
+/// - The distance from x to the center of the cluster's bounding box exceeds twice the longest side
+///   of this box.
 /// - All points of the cluster are farther from x than `width`.
 ///
 /// The resulting error of w is a few thousandths. The cost for one position is logarithmic in the
@@ -65,8 +66,8 @@ public:
   };
   Sources sources(const Points& areas) const;
 
-  /// Compute winding numbers at any positions. Each block of 64 consecutive positions should be
-  /// close together, since distant clusters are selected once per block.
+  /// Compute winding numbers at any positions. The positions of each block of 64 consecutive ones
+  /// should be close together, since distant clusters are selected once per block.
   /// @param[in] sources  result of sources() for the area vectors
   Eigen::VectorXd at(
     const Points& places, const Sources& sources, double width, const Run& run = {}) const;

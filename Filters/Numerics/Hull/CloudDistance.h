@@ -30,15 +30,15 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 /// Compute the distance of each node to the nearest sample, in units of the grid spacing.
 ///
 /// Distances up to one grid spacing are exact to float precision. Larger distances are upper
-/// bounds: each is the distance to a sample that is nearest to a neighboring node. The mean error
-/// of the upper bounds is a few hundredths of the grid spacing. The maximum error is below one grid
+/// bounds: distances to the sample that is nearest to a neighboring node. The mean error of the
+/// upper bounds is a few hundredths of the grid spacing. The maximum error is below one grid
 /// spacing.
 ///
-/// Implementation note: of a large cloud, only some samples are used. Let h be the grid spacing
+/// Implementation note: if a cloud is large, only some samples are used. Let h be the grid spacing
 /// divided by the largest distance of a sample from the origin. If there are many more than 32 /
-/// h^2 samples, about 32 / h^2 are selected, evenly from their sequence. If the samples are on a
-/// sphere around the origin, two or three of them then remain for each area of one squared spacing.
-/// The selection reduces the cost. The selection also keeps outliers isolated.
+/// h^2 samples, about 32 / h^2 are selected, evenly from their sequence. For samples on the unit
+/// sphere, this is two or three samples for each area of one squared spacing. The selection reduces
+/// the cost. It also keeps outliers isolated, so that they can be detected.
 ///
 /// Implementation note: two kinds of outliers are ignored:
 /// - samples marked by strayPoints() (StrayPoints.h), which do not lie on the surface formed by
@@ -46,13 +46,13 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 /// - isolated samples: single samples or groups of a few, separated from all other samples by at
 ///   least about two grid spacings.
 ///
-/// Isolated samples are kept if the cloud is sparse, or if they are more than a twentieth of all
-/// samples.
+/// Isolated samples are kept in two cases: the cloud is sparse, or more than a twentieth of all
+/// samples are isolated.
 ///
 /// Memory: 9 bytes per node during the computation.
 ///
 /// @param[in] grid  grid that contains the samples
-/// @post the result depends on the samples only, not on the number of threads
+/// @post the result depends only on the arguments, not on the number of threads
 std::vector<float> distanceToSamples(
   const FreudenthalGrid& grid, const TrainingSamples& samples, const Run& run = {});
 }

@@ -1,5 +1,5 @@
-/// Divide the cubes of a grid into tetrahedra by the triangulation of \cite Freudenthal1942.
-/// Connectivity and handles of every set of grid nodes are then unambiguous.
+/// Divide the cubes of a grid into tetrahedra by the triangulation of \cite Freudenthal1942. The
+/// connected components and handles of every set of grid nodes are then unambiguous.
 
 #ifndef ConformalFreudenthalGrid_h
 #define ConformalFreudenthalGrid_h
@@ -21,13 +21,14 @@ namespace conformal
 ///
 /// The corners of a cube are numbered 0 to 7. Bits 0, 1 and 2 of the number are the offsets from
 /// the lowest corner along x, y and z. The lowest corner of a cube is joined by an edge to each
-/// other corner of the cube. Each node therefore has 14 neighbors. Seven neighbors are corners of
-/// the cube whose lowest corner is the node. The other seven are in the opposite directions.
+/// other corner of the cube. Each node therefore has 14 neighbors. Seven neighbors are the other
+/// corners of the cube whose lowest corner is the node. The other seven are in the opposite
+/// directions.
 ///
 /// A set of nodes represents all simplices (nodes, edges, triangles and tetrahedra) whose nodes are
-/// in the set. The topology of a set and the topology of its complement are dual to each other. For
-/// example, a cavity of the set is a component of the complement. The same 14 neighbors are used
-/// for connectivity in the set and in the complement.
+/// in the set. The topology of the complement follows from the topology of the set. For example, a
+/// cavity of the set is a connected component of the complement. The same 14 neighbors are used for
+/// connectivity in the set and in the complement.
 struct FreudenthalGrid
 {
   Vector3 Origin = Vector3::Zero();      ///< position of node 0
@@ -80,8 +81,8 @@ Index eulerNumber(
   const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Compute the part of the Euler number that is due to simplices with at least one of the given
-/// nodes. If only given nodes are added to the set or removed, this part and the Euler number of
-/// the set change by the same amount.
+/// nodes. Use this function to compute how a change of these nodes alters the Euler number of the
+/// set. Both numbers change by the same amount.
 /// @param[in] nodes  given nodes; none of them may be on the faces of the grid
 Index eulerNumberAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<int>& nodes);

@@ -1,8 +1,8 @@
 /// Make a closed surface of genus zero around a point cloud. The method is an own construction, not
 /// from a publication. The surface is the boundary of a set of grid nodes with the topology of a
-/// ball. The boundary of a ball always has genus zero. All lengths are in the normalized
-/// coordinates of the samples. There, the weighted centroid is the origin, and the largest distance
-/// of a sample from the origin is 1.
+/// ball. Its genus is zero, since the boundary of a ball is a sphere. All lengths are in the
+/// normalized coordinates of the samples. In normalized coordinates, the weighted centroid is the
+/// origin, and the largest distance of a sample from the origin is 1.
 
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h
@@ -35,8 +35,8 @@ struct GenusZeroHullOptions
   double Spacing = 0.016;
   /// Distance between the points and the surface, in grid spacings. Used by method Distance.
   double Offset = 1.0;
-  /// Minimum ratio of the width of a cavity to the width of its hole for which the hole is closed.
-  /// See `persistence` of findOutside(). Used by method Distance.
+  /// A hole is closed if the cavity behind the hole is wider by at least this factor. See
+  /// `persistence` of findOutside(). Used by method Distance.
   double Persistence = 1.5;
   int SmoothingPasses = 10; ///< number of smoothing passes over the surface, at least 0
 };
@@ -52,7 +52,7 @@ struct GenusZeroHullLimits
 };
 
 /// Region near the points that determined the surface of a hull, stored as a set of grid nodes.
-/// Outliers, for example, did not determine the surface.
+/// Outliers, for example, are not among these points.
 class HullData
 {
 public:
@@ -62,9 +62,9 @@ public:
   HullData(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& nodes);
 
   /// Return whether a sample is within about two grid spacings of the points that determined the
-  /// surface. Return false for outliers, and for samples away from the solid, the connected set of
-  /// nodes inside of the surface. With HullMethod::WindingNumbers, return false also for samples
-  /// that are inside of the surface and not near it.
+  /// surface. Let the solid be the connected set of nodes inside of the surface. The result is
+  /// false for outliers, and for samples away from the solid. With HullMethod::WindingNumbers, the
+  /// result is also false for samples deep inside of the surface.
   bool contains(const Vector3& sample) const;
 
 private:
@@ -96,14 +96,14 @@ struct GenusZeroHullResult : Mesh
   /// WindingNumbers, the number of changed nodes that were clearly inside or outside: their winding
   /// number differed from the isovalue by more than 0.25.
   Index NumberOfCutInsideNodes = 0;
-  /// For each handle, the nodes of its cut that are near points are counted. This is the maximum
-  /// over all handles. Set by Distance.
+  /// Number of nodes near points in the cut through a handle, maximum over all handles. Set by
+  /// method Distance.
   Index NumberOfCutDataNodes = 0;
-  /// Whether handles of this hull exist by chance only, and not in the object. chooseHull() sets
-  /// this member of a hull by distance if the hull by winding numbers has no handles.
+  /// Whether the handles of this hull are due to chance: the object has no handles. chooseHull()
+  /// sets this member in hulls by method Distance, if the hull by WindingNumbers has no handles.
   bool HandlesByChance = false;
   DataHole LargestHole; ///< largest hole of the cloud that was closed
-  /// Whether a hole is about as wide as the cavity behind it. Set by Distance.
+  /// Whether a hole of the cloud is about as wide as the cavity behind it. Set by method Distance.
   bool Leaks = false;
   Index NumberOfSamplesOutside = 0; ///< number of samples outside of the surface and not near it
   /// Number of samples inside of the surface and not near it, for example on inner parts.
@@ -112,37 +112,38 @@ struct GenusZeroHullResult : Mesh
 
 /// Return whether the object itself seems to have handles, or parts that touch each other.
 ///
-/// Nodes are called enclosed if they are farther than the offset from the points, on the inside. If
-/// the object has a handle, the cut through the handle removes enclosed nodes, or nodes near
-/// points. A handle may also exist only because two limbs are closer to each other than twice the
-/// offset. A cut between the limbs then removes only nodes that are not enclosed and not near
-/// points.
+/// A node is called enclosed if it is on the inside, and farther than the offset from all points.
+/// If the object has a handle, the cut through the handle removes enclosed nodes, or nodes near
+/// points. If two limbs (thin parts of the object) are closer to each other than twice the offset,
+/// the solid has a handle that the object does not have. The cut between the limbs removes no
+/// enclosed nodes and no nodes near points.
 ///
-/// A few removed nodes are tolerated, since sparse points can have gaps. Tolerated are one enclosed
-/// node per handle, at most four in total. Also tolerated are three nodes near points. Return false
-/// if no node is enclosed, or if HandlesByChance is set.
+/// A few removed nodes are tolerated, since sparse points can have gaps:
+/// - one enclosed node per handle, at most four in total,
+/// - three nodes near points.
+///
+/// Return false if no node is enclosed, or if HandlesByChance is set.
 bool hasHandles(const GenusZeroHullResult& hull);
 
 /// Return whether a hull is unreliable. There are four possible causes:
 ///
-/// - Holes in the cloud are too large for classification by distance (Leaks).
+/// - A hole in the cloud is too large for method Distance: the member Leaks is true.
 /// - The points enclose nothing.
 /// - The object has handles (hasHandles()).
 /// - More than 0.5 % of the samples are outside of the surface and not near it.
 bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples);
 
-/// Compute the fraction of the surface that is due to cuts through handles of the object. The
-/// fraction is the area of both sides of all cuts, divided by the area of the surface. Its range
-/// is [0, 1]. Return 0 if hasHandles() is false.
+/// Compute the fraction of the surface that is due to cuts through handles of the object: the area
+/// of both sides of all cuts, divided by the area of the surface. The fraction is in [0, 1]. Return
+/// 0 if hasHandles() is false.
 double cutFraction(const GenusZeroHullResult& hull);
 
 /// Make one closed surface of genus zero around a cloud. With HullMethod::Distance, the distance
 /// between the points and the surface is about the offset, and the steps are:
 ///
 /// 1. Compute the distance to the points at the nodes of a grid (CloudDistance.h).
-/// 2. Classify each node as outside or not by persistence, which closes holes in the cloud
-///    (DistanceBasins.h). The largest connected component of the nodes that are not outside is
-///    called the solid.
+/// 2. Classify each node as outside or not (DistanceBasins.h). This step closes holes in the cloud.
+///    The largest connected component of the nodes that are not outside is called the solid.
 /// 3. Cut the handles of the solid (GridSolid.h), so that the solid has the topology of a ball.
 /// 4. Extract the surface of the solid by marching tetrahedra, and smooth the surface
 ///    (LevelSetSurface.h).
@@ -152,13 +153,13 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// few points, or if nothing is inside, HullMethod::Distance is used instead.
 ///
 /// The surface is closed and of genus zero by construction, for any cloud. If the samples are too
-/// sparse for the grid, they enclose nothing, or leave a hole as wide as the cavity behind it. If
-/// the solid then contains fewer than half of the samples, all steps are repeated with twice the
+/// sparse for the grid, nothing is enclosed, or a hole is as wide as the cavity behind it. If, in
+/// addition, fewer than half of the samples are in the solid, all steps are repeated with twice the
 /// spacing.
 ///
-/// Memory: at most 17 bytes per node during the computation. With HullMethod::Distance and the grid
-/// spacing h, the grid has at most (2 / h + 2 Offset + 8)^3 nodes, 2.5 million by default. The
-/// samples are not copied.
+/// Memory: at most 17 bytes per node during the computation. Let h be the grid spacing. With
+/// HullMethod::Distance, the grid has at most (2 / h + 2 Offset + 8)^3 nodes, 2.5 million by
+/// default. The samples are not copied.
 ///
 /// @param[in] samples  at least one sample, of any affine rank; only a cloud of affine rank 3
 ///   encloses a volume
@@ -173,10 +174,9 @@ GenusZeroHullResult makeGenusZeroHull(
 /// by HullMethod::WindingNumbers. Return the second hull if it is better, else the first.
 ///
 /// The second hull is better if three conditions hold:
-/// - hasHandles() is false for the second hull. Handles that occur in both hulls are handles of the
-///   object.
-/// - Noise of the second hull is at most 0.004, or Leaks is true for the first hull. Winding
-///   numbers of very noisy points are unreliable.
+/// - hasHandles() is false for the second hull. If both hulls have handles, the object has handles.
+/// - The member Noise of the second hull is at most 0.004, since winding numbers of very noisy
+///   points are unreliable. If Leaks is true for the first hull, any noise is allowed.
 /// - Few samples are outside of the second hull: not more than outside of the first hull, or at
 ///   most one in 4000. If Leaks is true for the first hull, one in 200 is allowed.
 /// @param[in] options  options for HullMethod::Distance; the member Method is ignored

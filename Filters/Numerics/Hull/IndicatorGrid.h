@@ -21,13 +21,13 @@ struct Indicator
   double Level = 0.5; ///< isovalue of the surface: the median of the winding numbers at the points
 };
 
-/// Compute winding numbers at the nodes of a grid, and blur them along each axis. Along each axis,
-/// a blurred value is 1/2 of the value of the node plus 1/4 of the value of each of the two
-/// neighbors.
+/// Compute winding numbers at the nodes of a grid, and blur the values along each axis. A blurred
+/// value is 1/2 of the value of the node plus 1/4 of the value of each neighbor along the axis.
 ///
 /// Every fourth node along each axis forms a coarse grid, which is evaluated first. If a cube of
 /// the coarse grid is near points or may intersect the isosurface, all nodes in the cube are
-/// evaluated. At all other nodes, values are interpolated between nodes of the coarse grid.
+/// evaluated. At all other nodes, winding numbers are interpolated between nodes of the coarse
+/// grid.
 ///
 /// @param[in] grid  grid that contains the points of the cloud
 /// @param[in] cloud  points of the cloud, with a hierarchy of clusters for fast sums

@@ -1,7 +1,7 @@
 /// Find the region enclosed by a point cloud, using winding numbers. The result is a set of grid
 /// nodes with the topology of a ball. The method is an own construction, not from a publication. If
-/// the result has many handles or cavities, the kernel width (smoothing radius) of the winding
-/// numbers is increased. The user therefore sets no parameter for noise.
+/// noise causes many handles or cavities, the kernel width (smoothing radius) of the winding
+/// numbers is increased automatically. No parameter for noise is thus required.
 
 #ifndef ConformalIndicatorSolid_h
 #define ConformalIndicatorSolid_h
@@ -43,9 +43,8 @@ struct IndicatorSolid
 ///    use these normals. Otherwise, estimate normals by orient().
 /// 3. Compute winding numbers on a grid (IndicatorGrid.h). Nodes above the isovalue are inside. If
 ///    the points are noisy, the kernel width is at least 2.5 times the standard deviation of the
-///    noise. If noisy points result in more than four handles and cavities, increase the width by
-///    half and repeat this step. There are at most two repetitions. Keep the solid with the fewest
-///    handles and cavities.
+///    noise. If noisy points result in more than four handles and cavities, repeat this step with
+///    the 1.5-fold width, at most twice. Keep the solid with the fewest handles and cavities.
 /// 4. Join components, fill cavities and remove handles (SolidRepair.h). The solid then has the
 ///    topology of a ball.
 ///

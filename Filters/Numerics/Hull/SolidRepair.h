@@ -1,8 +1,8 @@
 /// Change a solid so that it has the topology of a ball: connected, without handles and cavities.
 /// The solid consists of the grid nodes where an indicator (winding number) exceeds its level. The
-/// method is an own construction, not from a publication. The cheapest changes are made first,
-/// because these changes contradict the indicator least. The cost of changing a node increases with
-/// the difference between its indicator value and the level.
+/// method is an own construction, not from a publication. The cost of changing a node increases
+/// with the difference between its indicator value and the level. The cheapest changes are made
+/// first, because these changes contradict the indicator least.
 
 #ifndef ConformalSolidRepair_h
 #define ConformalSolidRepair_h
@@ -16,9 +16,10 @@
 
 namespace conformal
 {
-/// Join the connected components of a solid to the largest component. The joining paths lead along
-/// nodes whose indicator is least below the level. If points are sparse, thin limbs can be
-/// disconnected. These limbs are thus reattached.
+/// Join the connected components of a solid to the largest component. Each path that joins a
+/// component leads along nodes whose indicator is as little below the level as possible. This
+/// function reattaches limbs (thin parts of the object) that are disconnected because points are
+/// sparse.
 ///
 /// A component is removed instead in three cases:
 /// - The component is tiny: fewer than 0.05 % of all nodes of the solid.
@@ -48,7 +49,7 @@ struct HandleRepair
 
 /// Remove the handles of a solid. A handle is removed by a cut through the handle, or by filling
 /// its opening. Of these two changes, the one of lower cost is made. The handle with the cheapest
-/// change is removed first. If the object itself has a handle, both changes of this handle are
+/// change is removed first. If the object itself has the handle, cutting and filling are both
 /// expensive.
 ///
 /// @param[in] indicator  winding number at each node, and the level of the surface

@@ -12,8 +12,8 @@
 namespace conformal
 {
 /// Distortion of each triangle, and a summary. A triangle is degenerate if its area on the mesh or
-/// on the sphere is 0. Degenerate triangles get the values of undistorted triangles. The summary
-/// does not include them.
+/// on the sphere is 0. Degenerate triangles get the values of undistorted triangles, and are left
+/// out of the summary.
 struct Distortion
 {
   /// Mean absolute change of the three angles of each triangle, #F [degrees].
@@ -27,11 +27,11 @@ struct Distortion
   double MeanAngleDistortion = 0.0;
   double MeanQuasiConformalError = 1.0;
   double AreaDistortionDeviation = 0.0; ///< standard deviation of AreaDistortion
-  /// Number of times that the map covers the sphere, usually 1. The number is negative for a
-  /// mirrored map.
+  /// Number of times that the map covers the sphere, usually 1. If the map is mirrored, the number
+  /// is negative.
   double SphereDegree = 0.0;
-  /// Number of triangles that are oriented opposite to most of the area, or have no area on the
-  /// sphere.
+  /// Number of triangles that are flipped or have no area on the sphere. A triangle is flipped if
+  /// its orientation on the sphere is opposite to the orientation of most of the area.
   Index NumberOfFlippedTriangles = 0;
   Index NumberOfZeroAreaTriangles = 0;
 };

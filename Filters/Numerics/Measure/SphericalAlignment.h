@@ -1,5 +1,5 @@
-/// Align one map of a surface to the sphere with another by a rotation \cite Kabsch1976 or a
-/// Moebius transform.
+/// Align one map of a surface to the sphere with another map, by a rotation \cite Kabsch1976 or a
+/// Moebius transform (conformal map of the sphere to itself).
 
 #ifndef ConformalSphericalAlignment_h
 #define ConformalSphericalAlignment_h
@@ -30,8 +30,8 @@ struct SphericalAlignmentResult
 /// @param[in] from  positions that are transformed, #P by 3 unit vectors
 /// @param[in] to  corresponding positions, #P by 3 unit vectors
 /// @param[in] weights  weights of the pairs, at least 0, #P
-/// @throws std::invalid_argument if there are fewer than two pairs for a rotation, or three for a
-///   Moebius transform
+/// @throws std::invalid_argument if there are fewer than two pairs for a rotation, or fewer than
+///   three pairs for a Moebius transform
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation,
   const Run& run = {});

@@ -23,7 +23,8 @@ enum class MismatchUnit
 struct SurfaceMismatchOptions
 {
   MismatchUnit LengthUnit = MismatchUnit::MaxRadius;
-  double CoordinateUnit = 1.0; ///< length of a coordinate difference of 1, in the unit of the user
+  double CoordinateUnit = 1.0; ///< length of a coordinate difference of 1, in the unit of the user,
+                               ///< such as 0.001 for coordinates in mm and the unit m
   /// Number of samples of the surface of the model, spread evenly over the area.
   int NumberOfSamples = 60000;
   int RandomSeed = 1; ///< seed of the positions of the samples
@@ -48,9 +49,9 @@ struct SurfaceMismatch
   /// Mean square distance from samples of the model to the reference.
   double MeanSquareSurfaceToPoint = 0.0;
   double HausdorffDistance = 0.0; ///< maximum distance in either direction
-  /// Root mean square angle [degrees, 0 to 90] between the triangles of the model and those of the
-  /// reference, over the samples of the model. Each sample is compared with the reference triangle
-  /// that contains its foot point (closest point). Meaningful if HasNormalAngle.
+  /// For each sample of the model, the angle between its triangle and the closest triangle of the
+  /// reference is measured. This is the root mean square of all angles, in [0, 90] degrees. Valid
+  /// if HasNormalAngle is true.
   double RootMeanSquareNormalAngle = 0.0;
   bool HasNormalAngle = false; ///< whether the reference has triangles
   /// Fraction of the area of the model that is farther than WebDistance from the reference, in [0,
@@ -63,24 +64,24 @@ struct SurfaceMismatch
 
 /// Measure the mismatch error E_mis, \cite Liou2008 section 4.1, and the distances in the opposite
 /// direction. For a model M and #P reference points x, E_mis = 1 / #P sum_x dist(x, M)^2. E_mis
-/// does not detect webs, since a model may pass through all reference points and also span gaps.
+/// does not detect webs, since a model with webs can also pass through all reference points.
 ///
 /// For MeanSquarePointToVertex, vertices of the model without triangles are ignored. If the
 /// reference has no triangles, the distance to the reference is the distance to its nearest point.
 /// Distances to the model are measured from all reference points, even from those without
-/// triangles. The maximum distance from the model to the reference is computed only over samples
-/// and vertices of the model. HausdorffDistance is therefore a lower bound of the exact Hausdorff
-/// distance.
+/// triangles. From the model to the reference, distances are measured at samples and vertices of
+/// the model, but not at all other points. HausdorffDistance is therefore a lower bound of the
+/// exact Hausdorff distance.
 ///
 /// Implementation note: samples are placed at equal steps of the accumulated area. Within
 /// triangles, they are placed by a sequence of low discrepancy, whose points are evenly
 /// distributed. The measures have much less noise than with independent random samples.
 ///
-/// Implementation note: the reference may be distributed over several processes. Each process has a
-/// part of the reference, and all processes have the whole model. The reference consists of all
-/// parts in the order of the processes. The measures are equal on all processes, and have the same
-/// bits as with a single process. If the reference has no triangles, the points stay on their
-/// processes. Otherwise, the reference is copied to all processes.
+/// Implementation note: the reference can be distributed over several processes. Each process then
+/// has a part of the reference, and the whole model. The reference consists of all parts in the
+/// order of the processes. The measures are equal on all processes, and have the same bits as with
+/// a single process. If the reference has no triangles, the points stay on their processes.
+/// Otherwise, the reference is copied to all processes.
 ///
 /// @param[in] modelPoints  #V by 3
 /// @param[in] modelTriangles  #F by 3, at least one

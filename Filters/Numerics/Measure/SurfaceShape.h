@@ -55,16 +55,16 @@ Eigen::VectorXd meanCurvatureIntegrals(const Mesh& surface);
 /// the Euler number.
 Eigen::VectorXd gaussianCurvatureIntegrals(const Mesh& surface);
 
-/// Compute the area around each vertex: the part of the adjacent triangles to which this vertex is
-/// the nearest. Obtuse triangles are divided differently: half of their area belongs to the obtuse
-/// corner, and a quarter to each other corner. With these areas, curvatures are correct for every
-/// mesh whose vertices are on a sphere.
+/// Compute the area around each vertex: the part of the adjacent triangles that is closer to this
+/// vertex than to any other. Obtuse triangles are divided differently: half of their area belongs
+/// to the obtuse corner, and a quarter to each other corner. With these areas, curvatures are
+/// correct for every mesh whose vertices are on a sphere.
 Eigen::VectorXd nearestAreas(const Mesh& surface);
 
 /// Divide integrals around the vertices by the areas of the vertices. The quotients are called
-/// densities; for integrals of curvature, they are curvatures. Smooth the densities by one implicit
-/// step of a diffusion. The step preserves the integral over the surface. The smoothed values do
-/// not exceed the bounds of the original values.
+/// densities. If the integrals are those of a curvature, the densities are its values. Smooth the
+/// densities by one implicit step of a diffusion. The step preserves the integral over the surface.
+/// The smoothed values are in the range of the original values.
 /// @param[in] areas  area of each vertex, above 0
 /// @param[in] time  duration of the diffusion: the square of the smoothing length
 /// @param[in] integrals  integrals around the vertices, with one column for each function

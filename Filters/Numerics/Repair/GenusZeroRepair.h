@@ -37,14 +37,14 @@ struct RepairLoop
   RepairLoopType Type = RepairLoopType::FilledHole;
   /// Consecutive points of the loop, #L by 3. The first point is not repeated at the end.
   Points Positions;
-  /// Area of one filling of the loop, divided by the area of the largest connected part of the
-  /// input.
+  /// Area of the filling of the loop, divided by the area of the largest connected part of the
+  /// input. A cut handle has two fillings; the area is that of one.
   double AreaFraction = 0.0;
 };
 
 /// Repaired mesh, with the source of each triangle and vertex in the input. Unchanged triangles are
-/// first, in the order of the input. Added triangles follow. Vertices at points of the input,
-/// including copies of vertices along cuts, are before added vertices.
+/// first, in the order of the input. Added triangles follow. Likewise, vertices at points of the
+/// input are first, including copies of vertices along cuts. Added vertices follow.
 struct GenusZeroRepairResult : Mesh
 {
   /// Id of the input triangle of each triangle, or -1 for an added triangle, #F.
@@ -76,9 +76,9 @@ struct GenusZeroRepairResult : Mesh
 ///    but one.
 /// 3. Orient the mesh outward.
 /// 4. While there are handles, find a short loop at each handle (HandleLoops.h). The loop runs
-///    around the handle, or through its opening if that is shorter. Cut the mesh along the loop,
-///    which duplicates the points of the loop. Fill both boundaries of the cut. The two fillings
-///    and the duplicated points have the same positions.
+///    around the handle, or through its opening if that is shorter. Cut the mesh along the loop.
+///    This step duplicates the points of the loop. Fill both boundaries of the cut. The two
+///    fillings coincide in space.
 ///
 /// No point is moved. If a mesh needs no repair, the result equals the input without unused points.
 /// @param[in] points  coordinates of the points, #P by 3; must be finite at points used by

@@ -16,9 +16,9 @@ namespace conformal
 ///
 /// Triangle r has the three sides 3 r + k, with k in {0, 1, 2}. Side 3 r + k runs from corner k of
 /// the triangle to the next corner. Two triangles are neighbors if their sides are glued. Triangles
-/// that only share points are not neighbors. The surface is therefore a manifold for any triangles.
-/// A fan is a set of triangles that are connected around a point. If several fans share a point,
-/// each fan has a separate vertex at the point.
+/// that share points, but no glued sides, are not neighbors. Any set of triangles is therefore a
+/// manifold. A fan is a set of triangles that are connected around a point. If several fans share a
+/// point, each fan has a separate vertex at the point.
 struct GluedSurface
 {
   std::vector<int> Corners; ///< #3F, vertex at the start of each side
@@ -70,10 +70,9 @@ struct GluingReport
 /// 1. Remove triangles with repeated points, and duplicates of earlier triangles.
 /// 2. Glue the two sides of each edge to each other. If an edge has more than two sides, glue pairs
 ///    of consistent orientation. The pair with the smallest angle between the normals of its
-///    triangles is glued first. Bodies that touch at an edge are thus separated. Sides without a
-///    partner form the boundary.
-/// 3. In each connected part, orient all triangles consistently. The orientation of the majority is
-///    chosen.
+///    triangles is glued first. If two bodies touch at an edge, this rule separates the bodies.
+///    Sides without a partner form the boundary.
+/// 3. In each connected part, orient all triangles consistently, as the majority of its triangles.
 /// 4. Keep the connected part of largest area.
 ///
 /// Vertices and triangles have the order of the input. If a point has several vertices, one for
@@ -89,8 +88,8 @@ GluedSurface glueTriangles(
 /// next side of its loop begins.
 std::vector<std::vector<int>> openLoops(const GluedSurface& surface);
 
-/// Return the positions at the corners of a loop of sides. The positions are in the order required
-/// by capLoop() for a disk of triangles (cap) that fills the loop.
+/// Return the positions at the corners of a loop of sides. Their order is that required by
+/// capLoop(), which fills the loop with a disk of triangles (cap).
 Points cornersOfCap(const GluedSurface& surface, const std::vector<int>& loop);
 
 /// Make a cap, a disk of triangles that fills a loop of sides. No inner edge of the cap joins
@@ -110,8 +109,8 @@ void closeLoop(GluedSurface& surface, const std::vector<int>& loop, const LoopCa
 std::vector<int> cutAlong(GluedSurface& surface, const std::vector<int>& loop);
 
 /// Insert vertices where several glued edges join the same two vertices. One of these edges is left
-/// unchanged; a vertex is inserted in each of the others. Afterward, vertex ids alone determine
-/// which triangles are adjacent.
+/// unchanged; a vertex is inserted in each of the others. Afterward, two triangles are neighbors if
+/// they have two vertex ids in common.
 /// @return the number of inserted vertices
 Index splitDoubleEdges(GluedSurface& surface);
 }

@@ -23,20 +23,21 @@ struct HandleLoop
 /// the surface connected. No two loops share a vertex.
 ///
 /// The method is that of \cite Eppstein2003 and \cite Erickson2005. Let g be the genus (number of
-/// handles) of the surface. A tree of shortest paths is grown along edges, and a dual tree across
-/// the remaining edges. Exactly 2 g edges are in neither tree. Each of these edges defines a loop
-/// together with the paths to its ends.
+/// handles) of the surface. A tree of shortest paths is grown along edges. A second (dual) tree
+/// joins neighboring triangles across the remaining edges. Exactly 2 g edges belong to neither
+/// tree. Each of the 2 g edges, together with the shortest paths to its ends, forms a loop.
 ///
 /// Each of the 2 g loops is then shortened. The candidates are loops that pass through a vertex of
 /// the given loop, and do not separate the surface into two parts. The shortest candidate is kept.
-/// For each handle, one loop runs around the handle and another one runs through its opening. From
-/// all shortened loops, the result is selected by length, the shortest first.
+/// For each handle, one loop runs around the handle and another one runs through its opening. Among
+/// all shortened loops, the shortest ones are selected first.
 ///
 /// If the surface has many handles, or if loops of several handles intersect, several calls may be
 /// needed. Between calls, cut the surface along the loops and close the cuts. If the surface has a
 /// handle, each call returns at least one loop.
 ///
-/// The cost is about that of sorting the sides a few times, plus shortest paths near each handle.
+/// The computing time is about that of sorting the sides a few times, plus that of the shortest
+/// paths near each handle.
 /// @param[in] surface  closed and connected surface
 /// @param[in] lengths  length of each side, #3F, at least 0; glued sides must have equal lengths
 /// @return the loops, sorted by length

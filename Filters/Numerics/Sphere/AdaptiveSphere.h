@@ -24,7 +24,7 @@ struct AdaptiveSphereLimits
   /// number.
   static constexpr double Tolerance = 0.02;
 
-  /// Minimum angle of every triangle [degrees].
+  /// Minimum angle of every triangle of the mesh [degrees].
   static constexpr double MinimumAngle = 28.0;
 };
 
@@ -39,23 +39,23 @@ struct AdaptiveSphereLimits
 /// Refinement ends at the target number of points.
 ///
 /// The distance from a new point to any other point exceeds the shortest edge of the divided
-/// triangle. Points thus keep a minimum distance, and refinement ends for any density. Where the
-/// density jumps, the size of triangles changes gradually. After the refinement, points are moved
-/// towards the centroid of their triangles, and edges are flipped, in SmoothingRounds rounds. A
-/// move is skipped if the smallest angle around the point would decrease to below 35 degrees. A
-/// flip is made only if it increases the smallest angle of its two triangles.
+/// triangle. Points thus keep a minimum distance, so that refinement ends for any density. Even
+/// where the density jumps, the size of triangles changes gradually. After the refinement, points
+/// are moved towards the centroid of their triangles, and edges are flipped, in SmoothingRounds
+/// rounds. A move is skipped if the smallest angle around the point would decrease to below 35
+/// degrees. A flip is made only if it increases the smallest angle of its two triangles.
 ///
 /// Implementation note: the ratios of actual size to target size are multiplied by random factors.
 /// Otherwise, all triangles in a region of constant density would be divided at about the same
-/// time. If refinement ended during this time, undivided triangles would have edges up to 1.7 times
-/// too long.
+/// time. If refinement ended before all of them are divided, the other triangles of the region
+/// would have edges up to 1.7 times too long.
 ///
 /// @return mesh with unit vectors as positions, and triangles counter-clockwise seen from outside.
 ///   The number of points differs from the target number by at most 2 %. The number may be lower if
 ///   the density requires triangles with a circumradius below 1e-7. Triangles of this size are not
 ///   divided, because rounding of positions would distort them.
 /// @throws std::invalid_argument if an option is out of range, or the density is 0 everywhere. Also
-///   thrown for the reasons listed at densitiesOf().
+///   thrown if densitiesOf() throws it.
 /// @throws Aborted
 Mesh makeAdaptiveSphere(
   const SphereDensity& density, const AdaptiveSphereOptions& options = {}, const Run& run = {});

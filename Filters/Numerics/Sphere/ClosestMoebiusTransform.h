@@ -11,8 +11,8 @@
 
 namespace conformal
 {
-/// Find the Moebius transform that minimizes the weighted mean square distance of the transformed
-/// positions `from` to the positions `to`.
+/// Find the Moebius transform that minimizes the weighted mean square distance between the
+/// transformed positions `from` and the positions `to`.
 /// @param[in] from, to  #P by 3 unit vectors; each matrix has at least three different rows
 /// @param[in] weights   #P weights of the pairs, >= 0
 MoebiusTransform closestMoebiusTransform(

@@ -22,7 +22,8 @@ struct MoebiusTransform
   void applyTo(Points& spherePositions) const;
 };
 
-/// Move a point to the interior of the unit ball, if rounding or a large step placed it outside.
+/// Return the point if it is in the interior of the unit ball. Otherwise, return a point in the
+/// interior, in the same direction. Rounding or a large step can place a point outside.
 Vector3 insideBall(const Vector3& x);
 
 /// Compute the member Center of the composition of two transforms without rotation. The first
@@ -37,10 +38,10 @@ Vector3 combinedCenter(const Vector3& center, const Vector3& step);
 Eigen::Matrix3d closestRotation(
   const Points& from, const Points& to, const Eigen::VectorXd& weights);
 
-/// Find the transform without rotation after which the weighted mean of the positions is the center
-/// of the sphere. If one position has half of the total weight or more, this transform may not
-/// exist, or not be unique. The result is then the transform found whose mean is nearest to the
-/// center.
+/// Find the transform without rotation that moves the weighted mean of the positions to the center
+/// of the sphere. If one position has half of the total weight or more, there may be no such
+/// transform, or several. In this case, the result brings the mean as close to the center as was
+/// found.
 /// @param[in] spherePositions  #P by 3 unit vectors
 /// @param[in] weights          #P weights, >= 0, not all zero
 MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::VectorXd& weights);

@@ -1,5 +1,5 @@
-/// Measure whether a map of a surface to the sphere is one-to-one. Count how often the map covers
-/// the sphere, and its folds (flipped triangles). Solid angles are computed by the formula of
+/// Measure whether a map of a surface to the sphere is one-to-one: compute how often the map covers
+/// the sphere, and count its folds (flipped triangles). Solid angles are computed by the formula of
 /// \cite VanOosterom1983.
 
 #ifndef ConformalSphereCoverage_h
@@ -15,10 +15,11 @@ namespace conformal
 struct SphereCoverage
 {
   /// Degree of the map: number of times that the map covers the sphere. The degree is the sum of
-  /// the triangles' signed solid angles, divided by 4 pi. The degree of a one-to-one map is 1, or
-  /// -1 if the map reverses orientation.
+  /// the signed solid angles of all triangles, divided by 4 pi. The degree of a one-to-one map is
+  /// 1, or -1 if the map reverses orientation.
   int Degree = 0;
-  /// Number of folds: triangles that are clockwise seen from outside, by more than rounding errors
+  /// Number of folds: triangles that are clockwise seen from outside, even if rounding errors are
+  /// taken into account
   Index NumberOfFolds = 0;
 };
 

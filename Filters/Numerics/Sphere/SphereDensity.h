@@ -41,7 +41,7 @@ std::vector<double> densitiesOf(const SphereDensity& density, const Run& run = {
 double integralOf(const SphereDensity& density, const std::vector<double>& densities);
 
 /// Convert a density on a surface to a density on the sphere, by the surface's map to the sphere.
-/// If the map divides an area by a factor, the density is multiplied by this factor.
+/// If the map reduces an area by a factor, the density is multiplied by this factor.
 ///
 /// @param[in] surface  surface whose map covers the sphere exactly once; the map may reverse
 ///   orientation
@@ -59,9 +59,9 @@ SphereDensity densityOnSurface(
 /// triangle has three.
 std::vector<double> vertexBending(const Mesh& surface);
 
-/// Compute weights for densityOnSurface() from the bending of the surface. If a mesh is built with
-/// these weights, half of its points are distributed evenly over the surface. The density of the
-/// other half is proportional to vertexBending().
+/// Compute weights for densityOnSurface() from the bending of the surface. In a mesh built with
+/// these weights, half of the points are distributed evenly over the surface. The other half has a
+/// density proportional to vertexBending().
 std::vector<double> weightsByBending(const Mesh& surface);
 
 /// Compute the mean of the values of the triangles around each vertex, weighted by the areas of the

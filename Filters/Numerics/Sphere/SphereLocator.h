@@ -1,7 +1,7 @@
 /// Find the triangle of a sphere map (triangle mesh on the unit sphere) that contains a direction.
-/// Our own construction is the test on which side of an edge a direction is. For both triangles of
-/// the edge, the test computes with the same numbers. No direction near the edge is thus outside of
-/// both triangles, however small they are.
+/// The test on which side of an edge a direction is, is our own construction. The test uses the
+/// same numbers for both triangles of the edge. A direction near the edge is therefore never
+/// outside of both triangles, even if the triangles are tiny.
 
 #ifndef ConformalSphereLocator_h
 #define ConformalSphereLocator_h
@@ -28,11 +28,11 @@ struct SphereLocation
 /// conformal map of a long limb, such as a leg, can multiply areas by exp(-16).
 ///
 /// The sign of a determinant determines on which side of an edge a direction is. The determinant is
-/// computed from differences between the two vertices of the edge and the direction. For both
-/// triangles of an edge, the vertices are used in the same sequence. The two signs are therefore
-/// consistent. If several triangles contain the direction, the one with the smallest id is
-/// returned. Near a vertex, the test may fail for all triangles, because of rounding. In this case,
-/// the triangle that misses the direction by the smallest amount is returned.
+/// computed from the differences of the edge's two vertices from the direction. For both triangles
+/// of an edge, the vertices are used in the same sequence. The two signs are therefore consistent.
+/// If several triangles contain the direction, the one with the smallest id is returned. Near a
+/// vertex, the test may fail for all triangles, because of rounding. In this case, the triangle
+/// that misses the direction by the smallest amount is returned.
 ///
 /// The cost of a query is about logarithmic in the number of triangles. Several threads may query
 /// concurrently.

@@ -13,24 +13,24 @@
 
 namespace conformal
 {
-/// Minimum determinant of the three unit vectors of a triangle. The determinant is about twice the
-/// area. Triangles above this minimum keep their orientation if other programs round the unit
-/// vectors.
+/// Minimum determinant of the three unit vectors of a triangle on the sphere. The determinant is
+/// about twice the area. Triangles above this minimum keep their orientation, even if other
+/// programs round the unit vectors.
 constexpr double MinimumDeterminant = 1e-13;
 
 /// Energy of a map of a surface to the sphere, with terms for angles and for areas. The energy is
 /// the sum, over all triangles, of
 ///     S ((S/A)^AreaExponent + AreaWeight (S/A)^2) (D/A)^AngleExponent
-/// where S is the area of a triangle on the surface. Areas of the surface are scaled so that their
-/// total is the area of the unit sphere. A is the area of the triangle on the sphere. D is the
-/// Dirichlet energy of the map of the triangle: half the integral of its squared derivative. D/A is
-/// 1 if the map is conformal, and larger otherwise. If the map preserves areas, S/A is 1 for all
-/// triangles.
+/// where S is the area of a triangle on the surface. All areas S are scaled so that their total is
+/// the area of the unit sphere. A is the area of the triangle on the sphere. D is the Dirichlet
+/// energy of the map of the triangle: half the integral of its squared derivative. D/A is 1 if the
+/// map is conformal, and larger otherwise. If the map preserves areas, S/A is 1 for all triangles.
 ///
-/// Implementation note: A is computed as half the determinant of the three unit vectors, slightly
-/// less than the area. As a triangle is about to flip, A tends to 0, and the energy to infinity.
-/// The square of SmallArea is added to AreaWeight S^2. The sum differs noticeably only where areas
-/// are too small for double precision, for example at the end of a leg.
+/// Implementation note: A is computed as half the determinant of the three unit vectors, which is
+/// slightly less than the area. As a triangle is about to flip, A tends to 0, and the energy to
+/// infinity. The square of SmallArea is added to AreaWeight S^2. The addition has an effect where
+/// areas are too small for double precision, for example at the end of a leg. Elsewhere, it is
+/// negligible.
 struct SphereEnergy
 {
   double AreaExponent = 0.35;
@@ -66,7 +66,7 @@ struct Corner
 /// The result is the centroid of the kernel. To compute the centroid, the sphere is projected from
 /// its center to a plane.
 /// @param[in] ring  ids of the neighbors in `positions`. The first neighbor must form
-///   counter-clockwise triangles with all sides that do not contain it.
+///   counter-clockwise triangles with all sides of the ring that do not contain this neighbor.
 /// @return unit vector, or no value if every position leaves a triangle with a determinant below
 ///   MinimumDeterminant
 std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring);

@@ -1,5 +1,5 @@
 /// Compute areas of triangles and cotangents of their angles for maps of surfaces to the sphere.
-/// All values are bounded, which is our own construction. Without bounds, needles (very thin
+/// All values are bounded. The bounds are our own construction. Without bounds, needles (very thin
 /// triangles) make maps to the sphere fail.
 
 #ifndef ConformalBoundedTriangles_h
@@ -13,9 +13,9 @@
 
 namespace conformal
 {
-/// Compute areas and cotangents of triangles from their squared edge lengths. The lengths are
-/// slightly increased first. Thus, even degenerate triangles have a positive area and finite
-/// cotangents. Areas are scaled so that the whole surface has the area of the unit sphere.
+/// Compute areas and cotangents of triangles from their squared edge lengths. Before this, the
+/// lengths are slightly increased, so that even degenerate triangles have a positive area and
+/// finite cotangents. Areas are scaled so that the whole surface has the area of the unit sphere.
 class BoundedTriangles
 {
 public:
@@ -29,8 +29,8 @@ public:
 
   /// @param[in] points  #V by 3 positions with coordinates of magnitude about 1; must outlive this
   ///   object
-  /// @param[in] weight  quantity returned as SourceTriangle::Area, the weight of a triangle in
-  ///   SphereEnergy
+  /// @param[in] weight  quantity used as SourceTriangle::Area. This member is the weight of a
+  ///   triangle in SphereEnergy, the energy of a sphere map.
   BoundedTriangles(const Points& points, const Triangles& triangles, Weight weight = Weight::Area);
 
   SourceTriangle triangle(int a, int b, int c) const;

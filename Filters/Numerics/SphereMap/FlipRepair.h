@@ -15,8 +15,8 @@
 namespace conformal
 {
 /// Minimum determinant of the three unit vectors of a triangle. Triangles with a lower determinant
-/// are called bad. A bad triangle might become flipped if another program rounds the unit vectors
-/// to 16 digits.
+/// are called bad. If another program rounds the unit vectors to 16 digits, a bad triangle can
+/// become flipped.
 constexpr double MinimumSafeDeterminant = 1e-14;
 
 /// Parameters of SphereEnergy for an energy that depends on angles only, not on areas.
@@ -30,8 +30,8 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 /// If the repair fails, the neighborhood is enlarged by the neighbors of its vertices, and the
 /// repair is repeated.
 ///
-/// The border of the neighborhood is fixed. Vertices inside get new positions by the first of these
-/// methods that succeeds:
+/// Vertices at the border of the neighborhood are fixed. Vertices inside get new positions by the
+/// first of these methods that succeeds:
 /// - Move each vertex into the kernel of its neighbors' polygon: positions at which no triangle is
 ///   flipped, see kernelCentroid().
 /// - Regard the edges as springs with positive weights, and move the vertices to the equilibrium of
@@ -45,8 +45,8 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 ///   necessary on limbs that have only a few vertices around their circumference.
 ///
 /// @param[in] strings        weights of the springs: result of cotangentWeights() for the surface.
-///   In the equilibrium, weights are clamped to [0.05, 20].
-/// @param[in,out] positions  #V unit vectors, the sphere map. No further triangle becomes bad.
+///   To compute the equilibrium, weights are clamped to [0.05, 20].
+/// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad stay so.
 /// @return whether no bad triangles remain
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,

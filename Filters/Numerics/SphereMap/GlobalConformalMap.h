@@ -21,9 +21,9 @@ enum class GlobalConformalTier
 {
   Harmonic, ///< the solution of linear equations had no folds
   Repaired, ///< the solution of linear equations had folds, which were repaired locally
-  /// The map was computed by mapToSphere(), which inserts the vertices one by one. Either
-  /// AreaBalance is above 0, or triangles of a conformal map would be too small for double
-  /// precision.
+  /// The map was computed by mapToSphere(), which inserts the vertices one by one. This tier is
+  /// used if AreaBalance is above 0, or if triangles of a conformal map would be too small for
+  /// double precision.
   Progressive
 };
 
@@ -45,14 +45,15 @@ struct GlobalConformalMapResult
   GlobalConformalTier Tier = GlobalConformalTier::Harmonic;
   double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map, larger for any other
   Index NumberOfIterations = 0; ///< for GuYau: number of steps; for Robust: number of linear solves
-  /// Whether the map is valid: no triangle is flipped. For GuYau, two more conditions must hold.
-  /// Both phases have reached Tolerance, and no string constant (cotangent weight of an edge) is
-  /// infinite.
+  /// Whether the map is valid: no triangle is flipped. GuYau has two more conditions: both phases
+  /// have reached Tolerance, and no string constant (cotangent weight of an edge) is infinite.
   bool Converged = false;
   Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, computed in exact arithmetic
-  /// Number of edges whose opposite angles have a sum above pi
+  /// Number of edges with a negative string constant: the sum of the angles opposite to the edge
+  /// exceeds pi
   Index NumberOfNegativeStringConstants = 0;
-  Index NumberOfInfiniteStringConstants = 0; ///< number of edges of triangles with zero area
+  /// Number of edges with an infinite string constant: an adjacent triangle has zero area
+  Index NumberOfInfiniteStringConstants = 0;
 };
 
 /// Map a closed surface of genus zero to the unit sphere, \cite Liou2008 section 4.1. Triangles are
@@ -63,11 +64,12 @@ struct GlobalConformalMapResult
 ///    punctureToSphere(). Repair folds (flipped triangles) locally, see repairFlips().
 /// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 once with
 ///    another triangle.
-/// 3. Move vertices of triangles whose angles are not preserved, to preserve angles better.
-/// 4. If a triangle is flipped or too small, use mapToSphere() instead. Several values of
-///    AreaBalance are tried in ascending order. The last attempt inserts vertices as if all
-///    triangles were equal (option ConnectivityFirst of mapToSphere()). This attempt succeeded on
-///    every surface tested.
+/// 3. Find triangles whose angles are not preserved. Move the vertices of these triangles so that
+///    angles are preserved better.
+/// 4. If a triangle is flipped or too small, use mapToSphere() instead. This function inserts the
+///    vertices one by one. Several values of its option AreaBalance are tried in ascending order.
+///    The last attempt inserts vertices as if all triangles were equal (option ConnectivityFirst).
+///    This attempt succeeded on every surface tested.
 ///
 /// If AreaBalance is above 0, steps 1 to 3 are omitted, and only mapToSphere() is used.
 ///

@@ -23,22 +23,24 @@ struct GuYauResult
   double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map
   Index NumberOfIterations = 0; ///< number of steps of both phases
   bool Converged = false;       ///< whether both phases reached the tolerance
-  /// Number of edges whose opposite angles have a sum above pi
+  /// Number of edges with a negative string constant: the sum of the angles opposite to the edge
+  /// exceeds pi
   Index NumberOfNegativeStringConstants = 0;
-  Index NumberOfInfiniteStringConstants = 0; ///< number of edges of triangles with zero area
+  /// Number of edges with an infinite string constant: an adjacent triangle has zero area
+  Index NumberOfInfiniteStringConstants = 0;
 };
 
 /// Minimize the harmonic energy of a map to the sphere, \cite Gu2004 and \cite Liou2008 section
 /// 4.1. The initial map is the Gauss map, which maps each vertex to its normal. The energy is the
-/// elastic energy of springs (strings in \cite Gu2004) along the edges. The string constant of an
-/// edge is the weight of its spring. The energy is reduced by steps of gradient descent, in two
-/// phases. The first phase uses equal constants. The second phase uses cotangent weights, which
-/// define the harmonic energy. After each step, the area-weighted mean of the positions is
-/// subtracted, and the positions are normalized.
+/// elastic energy of springs along the edges, which are called strings in \cite Gu2004. The string
+/// constant of an edge is the stiffness of its spring. The energy is reduced by steps of gradient
+/// descent, in two phases. The first phase uses equal constants. The second phase uses cotangent
+/// weights, which define the harmonic energy. After each step, the area-weighted mean of the
+/// positions is subtracted, and the positions are normalized.
 ///
-/// Obtuse triangles can cause negative string constants, which may result in folds (flipped
-/// triangles) of the map. Triangles of zero area cause infinite constants, which are ignored. The
-/// result contains the numbers of edges with negative and with infinite constants.
+/// Obtuse triangles can cause negative string constants. With negative constants, the map may have
+/// folds (flipped triangles). Triangles of zero area cause infinite constants, which are ignored.
+/// The result contains the numbers of edges with negative and with infinite constants.
 ///
 /// Implementation note: the time step is the factor of the gradient in a step. Its initial value is
 /// the reciprocal of the largest sum of absolute constants at a vertex. A longer time step would be

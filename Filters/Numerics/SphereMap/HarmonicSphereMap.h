@@ -14,8 +14,8 @@ namespace conformal
 struct HarmonicSphereMap
 {
   Points Positions; ///< #V by 3 unit vectors; the mean, weighted by areas of the surface, is 0
-  /// Whether the map has no flipped or too small triangles, see badTriangles(). If false, do not
-  /// use Positions.
+  /// Whether the map is one-to-one: no triangle is flipped or too small, see badTriangles(). If
+  /// false, do not use Positions.
   bool OneToOne = false;
   /// Whether the solution of the linear equations had folds that were repaired
   bool Repaired = false;
@@ -28,8 +28,8 @@ struct HarmonicSphereMap
 ///    punctureToSphere(). Repair folds (flipped triangles) locally, see repairFlips().
 /// 2. If the repair fails, or the puncture is on a limb (long, thin part), repeat step 1 once with
 ///    another triangle.
-/// 3. Move the vertices of triangles whose angles are not preserved, to preserve angles better. If
-///    the mesh has fewer than 20,000 vertices, move all vertices.
+/// 3. Find triangles whose angles are not preserved. Move the vertices of these triangles so that
+///    angles are preserved better. If the mesh has fewer than 20,000 vertices, move all vertices.
 ///
 /// @param[in] mesh  closed mesh of genus zero, with coordinates of magnitude about 1
 /// @post the result does not depend on the number of threads

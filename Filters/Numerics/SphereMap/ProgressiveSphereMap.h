@@ -1,5 +1,6 @@
 /// Map a closed surface of genus zero to the sphere without folds (flipped triangles),
-/// \cite Praun2003. The map starts with a tetrahedron; all other vertices are inserted one by one.
+/// \cite Praun2003. First, the four vertices of a tetrahedron are mapped. All other vertices are
+/// then inserted one by one.
 
 #ifndef ConformalProgressiveSphereMap_h
 #define ConformalProgressiveSphereMap_h
@@ -21,15 +22,16 @@ struct ProgressiveSphereMapOptions
   /// Number of sweeps after all vertices are inserted, at least 0. A sweep moves each vertex once
   /// to reduce the energy.
   int NumberOfSweeps = 30;
-  /// Number of sweeps after those of NumberOfSweeps. These later sweeps give more weight to the
-  /// triangles with the highest energy.
+  /// Number of sweeps after those of NumberOfSweeps. In these later sweeps, triangles with the
+  /// highest energy have more weight.
   int NumberOfSmoothingSweeps = 30;
   /// Treatment of needles (very thin triangles) by QuadricCollapse. Use Thin if large parts of the
-  /// surface are connected by necks that consist of needles. In this case, the vertices of the
-  /// parts can be inserted only after those of the necks.
+  /// surface are connected by necks that consist of needles. With Keep, the vertices of these parts
+  /// could be inserted only after all vertices of the necks.
   QuadricCollapse::Needles SurfaceNeedles = QuadricCollapse::Needles::Keep;
-  /// Maximum number of insertions before which nearby vertices must be moved to make space. One
-  /// such insertion may need one second of running time.
+  /// Maximum number of relaxations: before some insertions, nearby vertices must be moved to make
+  /// space. One relaxation may need one second of running time. If the number is exceeded,
+  /// NumericalFailure is thrown.
   Index MaximumNumberOfRelaxations = std::numeric_limits<Index>::max();
   /// Whether to collapse and insert vertices as if all triangles were equilateral, with equal
   /// areas. The final sweeps always use the true shapes. Use this option only if all other attempts
@@ -41,7 +43,7 @@ struct ProgressiveSphereMapResult
 {
   Points Positions;                   ///< #V by 3 unit vectors
   Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles of the result; always 0
-  /// Number of insertions before which nearby vertices were moved to make space
+  /// Number of relaxations: insertions before which nearby vertices were moved to make space
   Index NumberOfRelaxations = 0;
   /// Mean over the area of the surface of SphereEnergy, an energy of angles and areas; at least 1
   double Energy = 0.0;
@@ -57,9 +59,10 @@ struct ProgressiveSphereMapResult
 /// energy of angles and areas. Moves that would flip a triangle are rejected.
 ///
 /// Implementation note: \cite Praun2003 minimizes another energy, called stretch. Here, the energy
-/// of a triangle is its conformal energy times a power of S / A. S is the area of the triangle on
-/// the surface, and A is its area on the sphere. AreaBalance determines the exponent. Maps thus
-/// vary from conformal to area-preserving.
+/// of a triangle is its conformal energy (distortion of angles) times a power of S / A. S is the
+/// area of the triangle on the surface, and A is its area on the sphere. AreaBalance determines the
+/// exponent. Depending on AreaBalance, maps are nearly conformal, nearly area-preserving, or in
+/// between.
 ///
 /// @param[in] mesh  surface with finite positions, all of them used by triangles. Triangles may
 ///   have zero area.

@@ -12,13 +12,13 @@ namespace conformal
 {
 /// Choose the triangle to remove before the surface is mapped (the puncture). The triangle is
 /// nearly equilateral, as are the triangles around it. The puncture is not at the end of a limb
-/// (long, thin part of a shape). With a puncture there, all other triangles on the sphere would be
-/// too small for double precision.
+/// (long, thin part of a shape). If the puncture were at the end of a limb, all other triangles on
+/// the sphere would be too small for double precision.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
 /// Choose another puncture, given a map of the surface to the sphere. The result is the triangle
-/// whose area the map enlarges most. The enlargement is weighted, so that nearly equilateral
-/// triangles are preferred.
+/// that the map enlarges most: its area on the sphere, relative to its area on the surface, is
+/// largest. Enlargements are weighted so that nearly equilateral triangles are preferred.
 Index choosePuncture(
   const Points& points, const Triangles& triangles, const Points& spherePositions);
 
@@ -33,14 +33,14 @@ Index choosePuncture(
 /// puncture. Positions near the puncture are then computed again by linear equations.
 ///
 /// Implementation note: for this correction, \cite Choi2015 solves a second global system of
-/// equations. In this file, the distortion is written as a power series instead. Let z be the
-/// complex coordinate of the plane, with the puncture far from z = 0. Far from the puncture, the
-/// error of z is a sum of positive powers of z and of its conjugate. The smaller the puncture, the
-/// faster the coefficients decrease with the power. Powers of z are conformal, so only the powers
-/// of the conjugate are corrected. Their coefficients are fitted by least squares to the Beltrami
-/// coefficients (measures of non-conformality) of the triangles. The fitted terms are then
-/// subtracted from z. The series is not valid near the puncture, where |z| is large. There, 1/z is
-/// computed again as a harmonic function. The values of 1/z at the border of this region are fixed.
+/// equations. Here, the distortion is written as a power series instead. Let z be the complex
+/// coordinate of the plane, with the puncture far from z = 0. Far from the puncture, the error of z
+/// is a sum of positive powers of z and of its conjugate. The smaller the puncture, the faster the
+/// coefficients decrease with the exponent. Powers of z are conformal, and need no correction. The
+/// coefficients of the conjugate's powers are fitted by least squares to the Beltrami coefficients
+/// (measures of non-conformality) of the triangles. The fitted terms are then subtracted from z.
+/// The series is not valid near the puncture, where |z| is large. There, 1/z is computed again as a
+/// harmonic function. The values of 1/z at the border of the region near the puncture are fixed.
 ///
 /// @param[in] points   #V by 3 positions with coordinates of magnitude about 1
 /// @param[in] strings  weights of the edges: result of cotangentWeights() for the surface

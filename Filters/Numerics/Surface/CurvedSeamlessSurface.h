@@ -27,13 +27,13 @@ namespace conformal
 enum class DomeHeight
 {
   None, ///< no domes
-  /// Domes as published in \cite Liou2008. The heights of the unit sphere over the network are
-  /// scaled to the size of the model. The domes bulge outward everywhere, even in hollows of the
-  /// model.
+  /// Domes as published in \cite Liou2008. Their heights are the heights of the unit sphere over
+  /// the flat triangles of the network, scaled to the size of the model. The domes bulge outward
+  /// everywhere, even in hollows of the model.
   Published,
   /// Domes as with Published, but scaled to the local size of the model. The local size at a vertex
-  /// is the square root of the ratio of two areas: the area around the vertex in the model, and in
-  /// the network.
+  /// is the square root of an area ratio: the area around the vertex in the model, divided by the
+  /// area around the vertex in the network.
   Scaled,
   Curvature, ///< triangles curved by the normals of the vertices (CurvedTriangles.h)
   Fitted     ///< triangles curved to fit a point cloud (CurvedTriangleFit.h)
@@ -42,26 +42,26 @@ enum class DomeHeight
 /// Parameters of a curved seamless surface.
 struct CurvedSeamlessSurfaceOptions
 {
-  /// Whether the maps of neighboring triangles from network to model agree on the common edge
+  /// Whether the maps from network to model of two neighboring triangles agree on the common edge
   conformal::SeamMode SeamMode = conformal::SeamMode::EdgeMatched;
   conformal::DomeHeight DomeHeight = conformal::DomeHeight::Curvature;
-  /// Factor by which lowerVertices() moves the vertices before the domes are built, in [0,
+  /// Factor for lowerVertices(), which moves the vertices before the domes are built, in [0,
   /// MaximumVertexShift]. If the flat triangles of the model were fitted to points by least
-  /// squares, use vertexShift(). Otherwise, use 0.
+  /// squares, use the result of vertexShift(). Otherwise, use 0.
   double VertexShift = 0.0;
   CurvedTriangleFitOptions Fit; ///< used by DomeHeight::Fitted
 };
 
-/// Represent a curved seamless surface as a function of the direction. The function is defined for
-/// every direction.
+/// Represent a curved seamless surface as a function of the direction, a unit vector. The function
+/// is defined for every direction.
 ///
 /// The CSS algorithm of \cite Liou2008 has 11 steps. The constructor executes steps 1 to 5, which
 /// do not depend on the direction. An Evaluator executes steps 6 to 10 for each direction.
 ///
-/// Implementation note: \cite Liou2008 adds the heights of the unit sphere's domes to a model about
-/// as large as the unit sphere. Here, the model may have any unit and position. With
-/// DomeHeight::Published, the heights are therefore scaled. The factor is the maximum distance of a
-/// vertex from the mean of the vertices.
+/// Implementation note: \cite Liou2008 assumes that the model is about as large as the unit sphere.
+/// The heights of the unit sphere are therefore added without a factor. Here, the model may have
+/// any unit and position. With DomeHeight::Published, the heights are multiplied by the maximum
+/// distance of a vertex from the mean of the vertices.
 ///
 /// Implementation note: with DomeHeight::Published and Scaled, the domes bulge outward also if the
 /// triangles are clockwise, or if the map to the sphere is mirrored. The outward side is determined
@@ -82,7 +82,7 @@ public:
   /// Build the surface, without evaluating it.
   /// @param[in] model  closed, consistently oriented mesh. Each vertex i has a position w_i in
   ///   space and a sphere position n_i. The vectors n_i may have any length but 0.
-  /// @param[in] options  kind of the domes, and of the map from network to model
+  /// @param[in] options  kind of the domes, and kind of the map from network to model
   /// @param[in] cloud  samples to which the domes are fitted; used by DomeHeight::Fitted
   /// @throws std::invalid_argument if positions are not finite, or if a sphere position is zero
   /// @throws std::invalid_argument if the map does not cover the sphere exactly once
@@ -128,9 +128,10 @@ public:
 
   /// Return 1 for each degenerate triangle, else 0. A triangle is degenerate in three cases:
   ///
-  /// - Its area is zero in the model or on the sphere. The triangle is then mapped affinely.
+  /// - Its area is zero in the model or on the sphere. The map from network to model is then
+  ///   affine.
   /// - Its curved triangle would fold. The curved triangle is then flattened.
-  /// - A neighbor has exactly the opposite normal, with DomeHeight Published or Scaled. At the
+  /// - DomeHeight is Published or Scaled, and the normal of a neighbor is exactly opposite. At the
   ///   common edge, the normal of each triangle then replaces the mean normal.
   const std::vector<unsigned char>& degenerate() const { return this->Degenerate; }
 
@@ -169,10 +170,10 @@ public:
 
   /// Compute the point q of the surface for a direction p, \cite Liou2008 Eqs. 9 to 12.
   ///
-  /// The derivative of q by p is computed if `derivative` is not null. Since q does not depend on
-  /// the length of p, the product of the derivative with p is zero. On an edge of the mesh, the
-  /// derivative in one adjacent triangle is returned. At a vertex, the derivative at a nearby point
-  /// is returned. In triangles of zero area, the derivative is zero.
+  /// The derivative of q by p is computed if `derivative` is not null. The derivative times p is
+  /// zero, since q does not depend on the length of p. On an edge of the mesh, the derivative in
+  /// one adjacent triangle is returned. At a vertex, the derivative at a nearby point is returned.
+  /// In triangles of zero area, the derivative is zero.
   /// @param[in] direction  direction p, a unit vector
   /// @param[out] derivative  derivative of q by p; may be null
   /// @throws std::invalid_argument if the length of the direction is far from 1
@@ -226,7 +227,7 @@ struct SurfaceSamples
 {
   double* Positions = nullptr; ///< points q of the surface, 3 numbers for each direction
   double* Normals = nullptr;   ///< unit normals, 3 numbers each; see CurvedSeamlessSurface::Image
-  /// Derivatives J = dq/dp by the direction p, 9 numbers each, row by row.
+  /// Derivatives J = dq/dp by the direction p, 9 numbers for each direction, row by row.
   double* Derivatives = nullptr;
   double* Metrics = nullptr;           ///< metric tensors J^T J, 9 numbers each
   double* AreaElements = nullptr;      ///< surface area per area of the unit sphere, 1 number each
@@ -244,10 +245,10 @@ struct SurfaceSamples
 void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
   const SurfaceSamples& samples, const Run& run = {});
 
-/// Divide each triangle of the network into k x k triangles, where k is `subdivisions` (see
-/// subdivide()). The vertices of the new triangles are directions for evaluate(). Every triangle of
-/// the network thus contains some of these directions, even if the triangle is small on the sphere.
-/// No new triangle crosses an edge of the network.
+/// Divide each triangle of the network into k^2 triangles, where k is `subdivisions` (see
+/// subdivide()). Use the vertices of the new triangles as directions for evaluate(). Every triangle
+/// of the network then contains some directions, even if the triangle is small on the sphere. No
+/// new triangle crosses an edge of the network.
 ///
 /// @return mesh of unit vectors. The vertices of the network are first. Seen from outside, the
 ///   triangles are counter-clockwise.
@@ -285,13 +286,13 @@ struct CurvedSeamlessSurfaceResult
   Index NumberOfDegeneratePatches = 0; ///< number of degenerate triangles
 };
 
-/// Build a curved seamless surface and evaluate it in given directions: execute steps 1 to 11 of
-/// the CSS algorithm of \cite Liou2008.
+/// Build a curved seamless surface, and evaluate the surface in given directions. These are all 11
+/// steps of the CSS algorithm of \cite Liou2008.
 ///
 /// @param[in] model  closed mesh with a map to the sphere; see the constructor of
 ///   CurvedSeamlessSurface
 /// @param[in] directions  #P by 3 vectors of any length but 0, called N^new in \cite Liou2008
-/// @param[in] options  kind of the domes, and of the map from network to model
+/// @param[in] options  kind of the domes, and kind of the map from network to model
 /// @param[in] cloud  samples to which the domes are fitted; used by DomeHeight::Fitted
 /// @throws std::invalid_argument if the constructor of CurvedSeamlessSurface throws it
 /// @throws std::invalid_argument if a direction is zero or not finite

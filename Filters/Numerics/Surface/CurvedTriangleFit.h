@@ -25,10 +25,10 @@ struct CurvedTriangleFitOptions
 /// Each iteration finds the foot point (closest point) of every sample on the curved triangles. One
 /// Gauss-Newton step then reduces the distances along the normals at the foot points. Each vertex
 /// has three unknowns: an offset d along the vertex normal n, and two tilts of n. Vertices
-/// therefore move only along their normals, and do not slide along the surface. The map of the
-/// surface to the sphere is thus preserved.
+/// therefore move only along their normals, and do not slide along the surface. A map of the
+/// surface to the sphere (one position on the sphere for each vertex) thus remains valid.
 ///
-/// The regularization is a sum over the vertices, of the terms
+/// The regularization is a sum over all vertices. The term of a vertex is
 ///
 ///     lambda (L d)^2 + lambda / 10 (h / 4)^2 |n - n'|^2
 ///

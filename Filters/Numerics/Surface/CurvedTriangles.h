@@ -43,10 +43,10 @@ public:
   /// slightly discontinuous across edges.
   Vector3 surfaceNormal(const Vector3& barycentric) const;
 
-  /// Return whether the curved triangle folds over: somewhere, its normal is opposite to the normal
-  /// of the flat triangle. The control points of the cubic patch are tested first. If they do not
-  /// exclude a fold, the points of a fine grid are tested. Return false if the flat triangle has
-  /// zero area.
+  /// Return whether the curved triangle folds over: at some point, its normal and the normal of the
+  /// flat triangle point to opposite sides. The control points of the cubic patch are tested first.
+  /// If they do not exclude a fold, the points of a fine grid are tested. Return false if the flat
+  /// triangle has zero area.
   bool folds() const;
 
   /// Return the bounding box of the control points, which contains the curved triangle.
@@ -55,8 +55,8 @@ public:
   const std::array<Vector3, 3>& positions() const { return this->W; }
   const std::array<Vector3, 3>& normals() const { return this->N; }
 
-  /// Return the mean of the displacement q(m) - sum_k m_k w_k over the flat triangle, weighted by
-  /// the barycentric coordinate of a corner, in {0, 1, 2}.
+  /// Return the mean of (q(m) - sum_k m_k w_k) m_c over the flat triangle, where c is `corner`.
+  /// @param[in] corner  0, 1 or 2
   Vector3 moment(int corner) const;
 
 private:
@@ -107,28 +107,29 @@ private:
   conformal::Triangles Triangles;
 };
 
-/// Move vertices inward on ridges and outward in hollows. New curved triangles through the moved
-/// vertices then coincide with the original flat triangles on average.
+/// Move vertices inward on ridges and outward in hollows. On average, curved triangles through the
+/// moved vertices then coincide with the flat triangles through the original vertices.
 ///
 /// Use this function for a mesh that was fitted to points by least squares. The flat triangles of a
 /// fitted mesh pass through the middle of the points. On ridges, the vertices of the mesh are
-/// therefore outside of the sampled surface. Curved triangles through these vertices would be even
-/// farther outside.
+/// therefore outside of the sampled surface. Curved triangles through these vertices would bulge
+/// even farther outward.
 ///
 /// Let w_i be the position and n_i the normal of vertex i, and let phi_i be the hat function of the
 /// vertex: the piecewise linear function that is 1 there and 0 at all other vertices. Let g_i be
 /// the integral of phi_i times the displacement from the flat to the curved triangles. The moves
 /// u_i solve M u = (n_i . g_i). The mass matrix M contains the integrals of phi_i phi_j over the
-/// flat triangles. The new position is w_i - share u_i n_i. With share 1, this is the L2 projection
-/// of the displacement onto piecewise linear functions.
+/// flat triangles. The new position is w_i - share u_i n_i. The moves are the L2 projection of the
+/// displacement onto piecewise linear functions. With share 1, the whole projection is subtracted.
 ///
-/// The normals are those of the flat triangles, also for the moved vertices. Normals of the moved
-/// mesh were measured to be worse, since moving a vertex sharpens the mesh.
+/// To build curved triangles through the moved vertices, use the vertex normals of the original
+/// mesh. In measurements, normals of the moved mesh were less accurate, because moving a vertex
+/// makes the mesh sharper there.
 ///
 /// Implementation note: the system is solved by 8 steps of the Chebyshev iteration, preconditioned
-/// by the row sums of M. The eigenvalues are then in [1/4, 1], so that each step reduces the error
-/// by a factor of 3. The steps need no sums over all vertices, and the result has the same bits for
-/// any number of threads.
+/// by the row sums of M. The eigenvalues of the preconditioned matrix are in [1/4, 1]. Each step
+/// therefore reduces the error by a factor of 3. No step adds values of all vertices, so that the
+/// result has the same bits for any number of threads.
 ///
 /// @param[in] surface  curved triangles through the original vertices
 /// @param[in] around  triangles around each vertex, see vertexTriangles()
@@ -143,8 +144,8 @@ Points lowerVertices(
 /// @return #F marks, 1 for triangles that folded before, else 0
 std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run = {});
 
-/// Angles between the exact normals of two adjacent triangles along the common edge, in degrees.
-/// Mean and maximum are taken over all edges.
+/// Angles between the exact normals of two adjacent triangles at their common edge [degrees]. Mean
+/// and maximum are over all edges.
 struct NormalJumps
 {
   double Mean = 0.0, Maximum = 0.0;
@@ -155,11 +156,11 @@ NormalJumps measureNormalJumps(
 /// Find closest points on curved triangles with a search tree.
 ///
 /// A query searches every curved triangle whose bounding box is closer than the closest point found
-/// so far. The search in one curved triangle is Newton's method. It starts at the foot point
-/// (closest point) on the flat triangle. Each step moves toward the closest point of the tangent
-/// triangle, the flat triangle tangent to the curved one at the current point. Edges and corners
-/// thus need no special cases. Queries do not modify the tree, so several threads may query
-/// concurrently.
+/// so far. In each curved triangle, the closest point is found by Newton's method. The method
+/// starts at the foot point (closest point) on the flat triangle. Each step moves toward the
+/// closest point of the tangent triangle, a flat triangle tangent to the curved one at the current
+/// point. Edges and corners thus need no special cases. Queries do not modify the tree, so several
+/// threads may query concurrently.
 class CurvedTriangleTree
 {
 public:

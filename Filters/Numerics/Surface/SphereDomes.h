@@ -1,7 +1,7 @@
 /// Compute the domes of a curved seamless surface, \cite Liou2008 section 3. The mesh on the sphere
 /// is called the network. The mesh in space is called the model. A dome is the curved patch over a
-/// flat triangle of the model. Its height is proportional to the height of the unit sphere over the
-/// triangle of the network.
+/// flat triangle of the model. The height of the dome is proportional to the height of the unit
+/// sphere over the corresponding flat triangle of the network.
 
 #ifndef ConformalSphereDomes_h
 #define ConformalSphereDomes_h
@@ -22,10 +22,11 @@ namespace conformal
 /// Implementation note: the equations are completed in the following cases.
 ///
 /// - Eq. 11 interpolates between the normal of the triangle and the mean normal at an edge. The
-///   weight is a quotient, which is 0/0 at a corner. The quotient is then set to 1. The height at a
-///   corner is 0.
-/// - In Eq. 11, a_q' is a point on the line through q' that is perpendicular to an edge. If the
-///   image of the centroid is beyond an end of the edge, a_q' is where this line leaves the
+///   weight is a quotient, which is 0/0 at a corner. There, the quotient is set to 1. This choice
+///   does not change the surface, since the height of the dome at a corner is 0.
+/// - In Eq. 11, a_q' is the point of an edge at which the perpendicular from q' ends. If the image
+///   of the centroid projects beyond an end of the edge, the perpendicular may leave the
+///   subtriangle before. In this case, a_q' is the point where the perpendicular leaves the
 ///   subtriangle.
 /// - Neighbors with exactly opposite normals have no mean normal (Eq. 8). The normal of each
 ///   triangle is then used at the common edge.
@@ -41,16 +42,16 @@ public:
   /// @param[in] triangles  vertex ids of the triangles, #R by 3
   /// @param[in] neighbors  result of triangleNeighbors() for the triangles
   /// @param[in] map  map p' -> q' from the flat triangles of the network to those of the model
-  /// @param[in] insideOut  whether the triangles of the model are clockwise seen from outside
+  /// @param[in] insideOut  whether the triangles of the model are clockwise if seen from outside
   SphereDomes(const Points& sphere, const Points& model, const conformal::Triangles& triangles,
     const conformal::Triangles& neighbors, const FlatMap& map, bool insideOut, const Run& run = {});
 
-  /// Return the height |p - p'| of the unit sphere over a point p'. The point is given by
-  /// barycentric coordinates in a triangle of the network.
+  /// Return the height |p - p'| of the unit sphere over a point p' of a triangle of the network.
+  /// @param[in] barycentric  barycentric coordinates of p' in the triangle
   double height(Index triangle, const Vector3& barycentric) const;
 
   /// Return the direction in which the dome is raised over a point q' of the model, n_q' in Eq. 11.
-  /// The point is given by barycentric coordinates.
+  /// @param[in] barycentric  barycentric coordinates of q' in the triangle
   Vector3 direction(Index triangle, const Vector3& barycentric) const;
 
   /// Return the unit normal of a flat triangle of the model, Eq. 7. Return zero for zero area.

@@ -1,6 +1,6 @@
 /// Estimate how far vertices of a learned mesh must be shifted before curved triangles are built on
-/// the mesh. On ridges, the vertices of a fitted mesh are outside of the points, so that curved
-/// triangles through them would be too far outside. The method is an own construction, not from a
+/// the mesh. On ridges, the vertices of a fitted mesh are outside of the points. Curved triangles
+/// through these vertices would be too far outside. The method is an own construction, not from a
 /// publication. One factor (share) for all vertices is found by least squares.
 
 #ifndef ConformalVertexShift_h
@@ -23,21 +23,21 @@ constexpr double MaximumVertexShift = 2.0;
 /// lowerVertices() moves vertices inward on ridges and outward in hollows. The share is the sum of
 /// two parts.
 ///
-/// With the first part as share, the sum of squared distances between the curved triangles and the
-/// samples is minimal. The range of this part is [0, 1]. If the foot points (closest points) of the
-/// samples cover the flat triangles evenly, the first part is 1. If the samples are at the
+/// The first part is the share that minimizes the sum of squared distances between the curved
+/// triangles and the samples. The first part is in [0, 1]. If the foot points (closest points) of
+/// the samples cover the flat triangles evenly, the first part is 1. If the samples are at the
 /// vertices, the first part is 0.
 ///
-/// The second part corrects for decimated samples: vertices of a dense mesh that was reduced to
-/// fewer triangles. Decimation keeps more samples where the object is curved. There, decimation
-/// also places samples outside of the object, so that flat triangles between them preserve the
-/// shape. Only the density of the samples reveals decimation.
+/// The second part is a correction for decimated samples, the vertices of a dense mesh that was
+/// reduced to fewer triangles. Decimation keeps more samples where the object is curved. There,
+/// decimation also places samples outside of the object, so that the flat triangles between the
+/// samples preserve the shape. Decimation can be detected only by the density of the samples.
 ///
-/// The distance by which lowerVertices() moves vertices at share 1 is therefore averaged in two
-/// ways. Mean A is over the samples. Mean B is over the area with samples nearby. If A > B, the
-/// second part is 3 (A / B - 1). Otherwise, the second part is 0. If the density of the samples
-/// does not depend on curvature, A and B are nearly equal. The factor 3 was measured on decimated
-/// scans.
+/// To detect decimation, the distance by which lowerVertices() moves vertices at share 1 is
+/// averaged in two ways. Mean A is over the samples. Mean B is over the area with samples nearby.
+/// If A > B, the second part is 3 (A / B - 1). Otherwise, the second part is 0. If the density of
+/// the samples does not depend on curvature, A and B are nearly equal. The factor 3 was measured on
+/// decimated scans.
 ///
 /// @param[in] mesh  closed mesh in the unit of the original points
 /// @param[in] samples  points to which the mesh was fitted

@@ -1,7 +1,7 @@
 /// Compute longitude and latitude on a body, such as an asteroid, that has a map to the sphere. The
-/// method is an own construction, not from a publication. The map is changed by a Moebius
-/// transform, which keeps the map conformal. Both ends of the rotation axis are thus moved to the
-/// poles of the sphere.
+/// method is an own construction, not from a publication. A Moebius transform of the sphere moves
+/// both ends of the body's rotation axis to the poles of the sphere. If the map is conformal, it
+/// remains conformal.
 
 #ifndef ConformalBodyCoordinates_h
 #define ConformalBodyCoordinates_h
@@ -36,17 +36,17 @@ struct BodyCoordinates
 
 /// Transform a sphere map so that longitude and latitude on the sphere are those of the body.
 ///
-/// From Center, the rotation axis intersects the surface in both directions. The farthest
-/// intersections are the poles. A conformal transform of the sphere moves both poles to opposite
-/// points of the sphere. Of all transforms with this property, the chosen transform balances north
-/// and south: the mean sine of latitude over the area of the body is 0.
+/// From Center, the rotation axis intersects the surface in both directions. In each direction, the
+/// farthest intersection is a pole. A conformal transform of the sphere moves both poles to
+/// opposite points of the sphere. Several transforms have this property. The transform is chosen
+/// that balances north and south: the mean sine of latitude over the area of the body is 0.
 ///
 /// Longitude 0 passes through the point of the surface closest to MarkerPoint. Without a marker
-/// point, longitude 0 passes through a point on a ray from Center. This point is the farthest
-/// intersection of the ray with the surface. The direction of the ray is the x axis, projected
-/// perpendicular to the rotation axis. If the rotation axis is the x axis, the y axis is projected
-/// instead. Seen from above the north pole, longitude increases counter-clockwise, also for a
-/// mirrored map.
+/// point, longitude 0 passes through the farthest intersection of the surface with a ray from
+/// Center. The direction of the ray is the x axis, projected to the plane perpendicular to the
+/// rotation axis. If the rotation axis is the x axis, the y axis is projected instead. Seen from
+/// above the north pole, longitude increases counter-clockwise, even if the map to the sphere is
+/// mirrored.
 ///
 /// @param[in] surface  body with its sphere map; all numbers must be finite
 /// @throws std::invalid_argument if there are no triangles, or if numbers are not finite
@@ -66,12 +66,13 @@ Vector2 toLongitudeLatitude(const Vector3& direction);
 Vector3 toDirection(const Vector2& longitudeLatitude);
 
 /// Find the points of the body at given directions of the sphere. If a direction is in a hole of
-/// the map, where no triangle is, the coordinates of its point are infinite.
+/// the map, where there is no triangle, the coordinates of its point are infinite.
 /// @param[in] directions  #P by 3 unit vectors
 /// @return #P by 3 positions
 Points placeOnBody(const MappedMesh& body, const Points& directions, const Run& run = {});
 
-/// Meridian or parallel as a polyline on the body.
+/// Meridian (line of constant longitude) or parallel (line of constant latitude) as a polyline on
+/// the body.
 struct GraticuleLine
 {
   bool IsMeridian = false;

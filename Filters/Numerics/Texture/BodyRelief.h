@@ -1,6 +1,6 @@
 /// Compute heights and slopes of a body relative to a reference ellipsoid or sphere. The method is
-/// an own construction, not from a publication. The reference is computed from the volume and
-/// moments of the body, so that no iterative fit is required.
+/// an own construction, not from a publication. The reference is computed from the volume, centroid
+/// and second moments of the body. No iterative fit is required.
 
 #ifndef ConformalBodyRelief_h
 #define ConformalBodyRelief_h
@@ -27,7 +27,7 @@ ReferenceEllipsoid referenceSphere(const Mesh& body);
 
 /// Compute the ellipsoid that has the same volume as a body. Its center is the centroid of the
 /// volume, and its axes are the principal axes of inertia of the body. The radii are proportional
-/// to the square roots of the second moments of the body along these axes.
+/// to the square roots of the second moments of the body's volume along these axes.
 /// @throws std::invalid_argument if the mesh encloses no volume
 ReferenceEllipsoid referenceEllipsoid(const Mesh& body);
 

@@ -1,6 +1,7 @@
 /// Compute images of plane maps of a body, in the projections of \cite Snyder1987. The body has a
-/// map to the sphere. The method is an own construction, not from a publication. For the direction
-/// of each pixel, the point of the sphere map is searched, because this works for every projection.
+/// map to the sphere. The method is an own construction, not from a publication. Each pixel is
+/// converted to a direction, and the point of the body that is mapped to this direction is
+/// searched. This method works for every projection.
 
 #ifndef ConformalMapImage_h
 #define ConformalMapImage_h
@@ -50,13 +51,14 @@ struct MapMarks
 {
   /// For each pixel, 1 if the pixel is outside of the map, else 0.
   std::vector<unsigned char> OutsideMap;
-  /// For each pixel, 1 if the pixel is on a line, else 0. Empty if no lines were requested.
+  /// For each pixel, 1 if the pixel is on a meridian or parallel, else 0. Empty if no lines were
+  /// requested.
   std::vector<unsigned char> Graticule;
 };
 
-/// Mark the pixels outside of the map, and the pixels on its graticule. A pixel is on a line if a
-/// meridian or parallel separates this pixel from its right or upper neighbor. Near the poles, only
-/// meridians at multiples of 90 degrees are marked.
+/// Mark the pixels outside of the map, and the pixels on its graticule. A pixel is on the graticule
+/// if a meridian or parallel separates the center of this pixel from the center of its right or
+/// upper neighbor. Near the poles, only meridians at multiples of 90 degrees are marked.
 /// @param[in] spacing  angle between neighboring lines, at least 1 [degrees]; 0 for no lines
 MapMarks markMap(const MapImage& image, double spacing, const Run& run = {});
 }

@@ -14,8 +14,8 @@ using Vector2 = Eigen::Vector2d;
 /// The scale of the Peirce map is 1 at the north pole.
 enum class MapProjection
 {
-  /// The map is 360 by 180 units: degrees of longitude from the central meridian, and degrees of
-  /// latitude.
+  /// The map is 360 by 180 units. Its coordinates are degrees of longitude from the central
+  /// meridian, and degrees of latitude.
   Equirectangular,
   /// The map consists of two disks: the northern hemisphere left, the southern hemisphere right.
   LambertAzimuthal,

@@ -1,7 +1,7 @@
 /// Compute a density of points on the sphere that is higher at the details of a picture. The method
 /// is an own construction, not from a publication. The density is proportional to the slope of the
-/// picture: the change of its values per distance. Blur at a border between colors then does not
-/// change the number of points at the border.
+/// picture: the change of its values per distance. This proportionality is chosen because the
+/// number of points at a border between colors is then the same for sharp and blurred borders.
 
 #ifndef ConformalPictureDensity_h
 #define ConformalPictureDensity_h
@@ -25,10 +25,10 @@ struct Picture
 };
 
 /// Build a density proportional to the slope of a picture on the sphere, for any projection. The
-/// slope of each component is estimated by differences over about a pixel. The density is the
-/// square root of the sum of the squared slopes of all components. If points are distributed by the
-/// density, their number at a border between two colors does not depend on the sharpness of the
-/// border.
+/// slope of each component is estimated from differences of values at positions about a pixel
+/// apart. The density is the square root of the sum of the squared slopes of all components. If
+/// points are distributed by the density, the number of points at a border between two colors is
+/// the same for sharp and blurred borders.
 ///
 /// @param[in] picture  grid of pixels; stored in the density
 /// @param[in] image  position and projection of the picture on the sphere
@@ -38,10 +38,10 @@ struct Picture
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
 
 /// Combine a density with the details of a picture. If points are distributed by the result, half
-/// of them are due to `density`, and half to the details of the picture. The unit of the values of
-/// the picture has no effect. A picture with only one color has no details. For such a picture, the
-/// density is returned unchanged.
-/// @param[in] density  density of the half of the points that does not depend on the picture
+/// of them follow `density`, and half are at the details of the picture. Multiplying all values of
+/// the picture by a constant does not change the result. A picture with only one color has no
+/// details. For such a picture, the density is returned unchanged.
+/// @param[in] density  density for the half of the points that does not depend on the picture
 /// @param[in] picture  grid of pixels
 /// @param[in] image  position and projection of the picture on the sphere
 /// @throws std::invalid_argument if pictureDensity() throws it

@@ -34,8 +34,9 @@ struct PixelGrid
     return { (static_cast<double>(column) + 0.5) / static_cast<double>(this->Width),
       (static_cast<double>(row) + 0.5) / static_cast<double>(this->Height) };
   }
-  /// Compute the weights of bilinear interpolation at texture coordinates. Positions outside of the
-  /// rectangle between the centers of the corner pixels are clamped to this rectangle.
+  /// Compute the weights of bilinear interpolation at texture coordinates. The corners of the valid
+  /// rectangle are the centers of the corner pixels. Positions outside of this rectangle are
+  /// clamped to it.
   PixelMix mixAt(const Vector2& st) const
   {
     const auto along = [](double x, Index size)

@@ -14,7 +14,8 @@ namespace conformal
 {
 using Vector2 = Eigen::Vector2d;
 
-/// Projection of directions to an image. View is SphereImage::View.
+/// Projection of directions to an image. View is the member of SphereImage that stores the position
+/// of the image.
 enum class SphereProjection
 {
   /// Projection onto the plane tangent to the sphere at View.Pole, \cite Liou2008 section 4.2.
@@ -35,11 +36,12 @@ struct SphereImage
 {
   SphereProjection Projection = SphereProjection::Stereographic;
   SphereView View;
-  /// Angle of the sphere across the inscribed circle of the image [degrees]. Used by Stereographic.
+  /// Angle on the sphere that corresponds to the diameter of the image's inscribed circle
+  /// [degrees]. Used by Stereographic.
   double FieldOfView = 180.0;
   Vector2 Scale = { 1, 1 }; ///< scale of the image about its middle, along s and t
-  /// Width of the margin along the seams, divided by the side of a square or face, in [0, 1/4].
-  /// Used by Octahedral and CubeMap.
+  /// Width of the margin along the seams (lines where the image is discontinuous), in [0, 1/4]. The
+  /// unit is the side of the square (Octahedral) or of a cube face (CubeMap).
   double Margin = 0.0;
 };
 
@@ -56,11 +58,12 @@ Vector2 sphereToTexture(const Vector3& n, const SphereImage& image);
 
 /// Compute the direction at texture coordinates. This is the inverse of sphereToTexture(). The
 /// margin along a seam (a line where the image is discontinuous) shows the part of the sphere
-/// beyond the seam. Pixels can therefore be interpolated at the seam.
+/// beyond the seam. Pixels at the seam can thus be interpolated with their neighbors beyond the
+/// seam.
 /// @return unit vector
 Vector3 textureToSphere(const Vector2& st, const SphereImage& image);
 
-/// Part of the sphere on which the projection is smooth and the image is connected. The part
+/// Part of the sphere on which the projection is smooth, and whose image is connected. The part
 /// consists of the directions n with a . n + b >= 0 for all Borders (a, b). If the triangles of a
 /// surface are cut along these borders, the image of each triangle is connected.
 struct SpherePatch
@@ -79,10 +82,10 @@ std::vector<SpherePatch> spherePatches(const SphereImage& image);
 /// spherePatches().
 int patchOf(const Vector3& n, const SphereImage& image);
 
-/// Project a direction to texture coordinates by the projection of one part of the sphere. A
-/// direction on a seam, or beyond the seam by rounding, thus gets coordinates on the side of this
-/// part. The zero vector is accepted and projected into the part. The zero vector occurs if a flat
-/// triangle passes through the center of the sphere.
+/// Project a direction to texture coordinates by the projection of one part of the sphere. If a
+/// direction is on a seam, or beyond the seam by rounding, its coordinates are thus on the side of
+/// the given part. The zero vector is also accepted, and is projected into the given part. This
+/// vector occurs if a flat triangle passes through the center of the sphere.
 /// @param[in] patch  index into spherePatches()
 Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch);
 }

@@ -1,7 +1,7 @@
 /// Choose the position and orientation of an image on the sphere for a given view of the surface.
-/// The method is an own construction, not from a publication. In its middle, the image should be
-/// upright for the viewer. The orientation is therefore computed from derivatives of the sphere map
-/// in the middle of the image.
+/// The method is an own construction, not from a publication. The middle of the image should be
+/// upright for the viewer. The orientation of the image is therefore computed from derivatives of
+/// the sphere map (map of the surface to the unit sphere) at the middle.
 
 #ifndef ConformalSphereViewChoice_h
 #define ConformalSphereViewChoice_h
@@ -21,21 +21,24 @@ struct SphereViewOptions
   /// outward normal around ViewPoint.
   bool UseViewPoint = false;
   Vector3 ViewPoint = { 0, 0, 0 }; ///< point picked on the surface, or close to the surface
-  /// Angle of the sphere across the inscribed circle of the image [degrees].
+  /// Angle on the sphere that corresponds to the diameter of the image's inscribed circle
+  /// [degrees].
   double FieldOfView = 180.0;
-  double Rotation = 0.0; ///< counter-clockwise rotation of the image for the viewer [degrees]
+  /// Rotation of the image, counter-clockwise as seen by the viewer [degrees].
+  double Rotation = 0.0;
 };
 
 /// Choose the pole (middle) and the axes of an image for a view of the surface. The pole is the
-/// sphere position of a point of the surface. By default, this is the visible point on the line of
-/// sight through the centroid of the surface area. If this line does not intersect the surface, the
-/// vertex nearest to the viewer is chosen. With UseViewPoint, the point of the surface closest to
-/// ViewPoint is chosen. The view direction is then the mean normal around this point.
+/// sphere position of a point of the surface. By default, this point is the visible intersection of
+/// the surface with a line: the line of sight through the centroid of the surface area. If this
+/// line does not intersect the surface, the vertex nearest to the viewer is chosen. With
+/// UseViewPoint, the point of the surface closest to ViewPoint is chosen. The view direction is
+/// then the mean normal around this point.
 ///
 /// For the viewer, the image is not mirrored. Before the rotation by the angle Rotation, the image
-/// is upright. Its axes are the right and up directions of the viewer, mapped from the surface to
-/// the sphere. The axes are averaged over a cap around the pole, with a radius of an eighth of
-/// FieldOfView.
+/// is upright. The axes of the image are the right and up directions of the viewer, mapped from the
+/// surface to the sphere. The axes are averaged over a cap around the pole, with a radius of an
+/// eighth of FieldOfView.
 ///
 /// @param[in] points  #V by 3 coordinates, finite
 /// @param[in] triangles  #F by 3 ids in [0, #V), at least one

@@ -1,5 +1,5 @@
 /// Compute texture coordinates of a surface with a sphere map, \cite Liou2008 section 4.2. The
-/// image covers the sphere or a part of it.
+/// texture is an image of the whole sphere or of a part of the sphere.
 
 #ifndef ConformalSphericalTexture_h
 #define ConformalSphericalTexture_h
@@ -32,10 +32,10 @@ constexpr double MaximumScale = 1e3;
 ///
 /// With SplitSeam, the surface is cut along three kinds of lines: seams, where the projection is
 /// discontinuous; folds, where it is not smooth; and borders of the image. After the cut, no
-/// triangle shows the image mirrored or squeezed. The three corners of each triangle are all inside
-/// of the image, or all outside. An edge is not cut within a thousandth of its length from an end.
-/// The projection bends the sides of triangles, so that the images of thin triangles may be
-/// mirrored. Mirrored triangles are divided at their longest side.
+/// triangle shows the image mirrored or squeezed. The corners of a triangle are either all inside
+/// of the image or all outside. If a cut would be within a thousandth of an edge's length from its
+/// end, the cut is at the end. The projection bends the sides of triangles. The images of thin
+/// triangles can therefore be mirrored. Mirrored triangles are divided at their longest side.
 ///
 /// @param[in] points  #V by 3 coordinates, finite
 /// @param[in] triangles  #F by 3 ids in [0, #V), at least one

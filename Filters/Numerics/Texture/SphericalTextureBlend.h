@@ -1,7 +1,7 @@
 /// Blend two pictures of an object, from the front and from the back, into one image of the sphere.
-/// The method is an own construction, not from a publication. From the middle of one picture to the
-/// middle of the other, the weights change by a smooth step. Neither picture therefore ends at a
-/// visible edge.
+/// The method is an own construction, not from a publication. The weights of the pictures change
+/// gradually between the middles of both pictures. In the result, the pictures therefore have no
+/// visible edges.
 
 #ifndef ConformalSphericalTextureBlend_h
 #define ConformalSphericalTextureBlend_h
@@ -36,10 +36,10 @@ struct BlendedPixel
 /// different pixels.
 using BlendSink = std::function<void(Index firstPixel, const std::vector<BlendedPixel>& pixels)>;
 
-/// Compute the weight of the front picture at a direction. The weight increases from 0 to 1 by a
-/// smooth step over BlendAngle. The weight is 1/2 at directions that have equal distances to the
-/// poles (middles) of both pictures. If the poles are opposite, these directions form the equator
-/// between the poles.
+/// Compute the weight of the front picture at a direction. From the back to the front, the weight
+/// increases smoothly from 0 to 1, within a zone of width BlendAngle. The weight is 1/2 at
+/// directions that have equal distances to the poles (middles) of both pictures. If the poles are
+/// opposite to each other, these directions form the equator between the poles.
 double frontShare(const Vector3& n, const TwoPictures& pictures);
 
 /// Blend two pictures into an image of the sphere, and pass the pixels to `sink`, a function of the

@@ -1,5 +1,5 @@
-/// Each pixel of an image of the sphere shows a direction. Find the point of a surface that is
-/// mapped to this direction, \cite Liou2008 section 4.2.
+/// Each pixel of an image of the sphere shows a direction. For each pixel, find the point of a
+/// surface that is mapped to this direction, \cite Liou2008 section 4.2.
 
 #ifndef ConformalSphericalTextureImage_h
 #define ConformalSphericalTextureImage_h
@@ -40,8 +40,8 @@ void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
   const PixelGrid& grid, const PixelSink& sink, const Run& run = {});
 
 /// Find a point of a second surface, or of a cloud without triangles, for every pixel. First, the
-/// point of the mapped surface is found. Then the point of the second surface or cloud that is
-/// closest to this point is found. The image can thus show details finer than the mapped surface.
+/// point of the mapped surface is found. Then the closest point of the second surface or cloud is
+/// found. The image can thus show details that the mapped surface does not have.
 /// @param[in] cloud  #P by 3 coordinates, finite; at least one point
 /// @param[in] cloudTriangles  #G by 3 ids in [0, #P); empty for a cloud without triangles
 /// @throws std::invalid_argument if there are no pixels, or if the surface has no triangles
@@ -51,10 +51,10 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const PixelSink& sink, const Run& run = {});
 
 /// Find a point of a cloud for every pixel, for a cloud that is distributed over ranks (MPI
-/// processes). First, the point of the mapped surface is found. Then the point of the cloud, or of
-/// its triangles, that is closest to this point is found. A rank may have no points. If the found
-/// point of a pixel belongs to another rank, the ids on this rank are -1. A cloud without triangles
-/// stays distributed. A cloud with triangles is gathered on each rank.
+/// processes). First, the point of the mapped surface is found. Then the closest point of the
+/// cloud, or of its triangles, is found. Ranks without points are allowed. If the found point of a
+/// pixel belongs to another rank, the ids on this rank are -1. A cloud without triangles stays
+/// distributed. A cloud with triangles is gathered on each rank.
 /// @param[in] surface  complete surface on one rank. The other ranks pass a surface without
 ///   triangles, and any image.
 /// @param[in] reduce  sums over the ranks

@@ -14,7 +14,8 @@ namespace conformal
 {
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>; ///< (s, t)
 
-/// Texture of surface points that are outside of the image by their texture coordinates.
+/// Specifies what a surface shows outside of the image: at points whose texture coordinates are not
+/// in [0, 1].
 enum class TextureWrap
 {
   Clamp,  ///< the border of the image is extended
