@@ -1,6 +1,6 @@
 /**
  * @class   vtkSphericalMorph
- * @brief   morph between two or more mapped surfaces, also as time steps
+ * @brief   morph between two or more mapped surfaces, as one surface or as time steps
  *
  * Compute a shape between two or more surfaces that are mapped to the sphere. Points of two
  * surfaces correspond if they have the same position on the sphere, the point array
