@@ -1,6 +1,6 @@
 /**
  * @class   vtkConformalSOM
- * @brief   learn a closed mesh with a map to the sphere from scattered points (CSM)
+ * @brief   learn a closed mesh with a map to the sphere (conformal SOM, CSM) from scattered points
  *
  * Learn a closed triangle mesh with a one-to-one map to the sphere. The input needs neither
  * triangles nor normals. The method is the conformal self-organizing map (CSM) of the paper by

@@ -1,6 +1,6 @@
 /**
  * @class   vtkCurvedSeamlessSurface
- * @brief   make a smooth, dense surface from a mesh that is mapped to the sphere (CSS)
+ * @brief   make a curved seamless surface (CSS), smooth and dense, from a mesh mapped to the sphere
  *
  * Make a smooth, dense, closed surface from a mesh that is mapped to the sphere, such as the output
  * of vtkConformalSOM. The method is the CSS (curved seamless surface) algorithm of section 3 of

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSphericalMorph
- * @brief   morph between two or more mapped surfaces, also as time steps
+ * @brief   morph between two or more mapped surfaces, as one surface or as time steps
  *
  * Compute a shape between two or more surfaces that are mapped to the sphere. The point array
  * "SpherePosition" is the position of each point on the sphere. Points with the same position

@@ -1,6 +1,6 @@
 /**
  * @class   vtkBodyMap
- * @brief   give a mapped body longitudes and latitudes, heights and slopes
+ * @brief   compute longitudes, latitudes, heights and slopes on a mapped body, such as an asteroid
  *
  * Compute longitude, latitude, height and slope at each point of a body that is mapped to the
  * sphere. The map is the point array "SpherePosition". The filter transforms the map so that the

@@ -1,6 +1,6 @@
 /**
  * @class   vtkConformalOFFReader
- * @brief   read meshes and clouds in the OFF format of Geomview, with all its prefixes
+ * @brief   read OFF meshes and clouds (Geomview), with normals, colors and texture coordinates
  *
  * Read points and polygons from an OFF file of Geomview, text or binary, with normals, colors and
  * texture coordinates.

@@ -1,6 +1,6 @@
 /**
  * @class   vtkConformalPLYReader
- * @brief   read scans in the PLY format: every property, doubles, strips, and visible clouds
+ * @brief   read PLY meshes, triangle strips and point clouds, with every property, also doubles
  *
  * Read points and polygons from a PLY file, as text or binary. Unlike ParaView's PLY Reader, this
  * reader keeps double precision and every property of a point. This reader also reads triangle

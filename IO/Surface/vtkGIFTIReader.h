@@ -1,6 +1,6 @@
 /**
  * @class   vtkGIFTIReader
- * @brief   read GIFTI surfaces with their sphere and numbers at their points
+ * @brief   read GIFTI surfaces with their map to the sphere and their point arrays
  *
  * Read a surface in the neuroimaging format GIFTI (.surf.gii). Optionally, also read a sphere file
  * and a file of values at the points. The points of a sphere become the point array
