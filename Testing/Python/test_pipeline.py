@@ -77,7 +77,12 @@ def chain(frequency=18, surface_frequency=40):
     stages = (network, surface, painted, mismatch, distortion, image, sphere, hull, conformal,
               alignment)
     by_name = {stage.GetClassName(): stage for stage in stages}
+    to_mesh = vtkSurfaceMismatch()
+    to_mesh.SetInputConnection(0, painted.GetOutputPort())
+    to_mesh.SetInputConnection(1, surface.GetOutputPort())
+    to_mesh.Update()
     return {**by_name, "vtkSphericalTextureMap with SplitSeam": split,
+            "vtkSurfaceMismatch with a reference mesh": to_mesh,
             "vtkConformalSOM with DistributeOutput": network_piece,
             "vtkGenusZeroHull with DistributeOutput": hull_piece}
 
