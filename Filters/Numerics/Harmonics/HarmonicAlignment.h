@@ -45,8 +45,8 @@ struct HarmonicAlignment
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 
-/// Align a surface with a reference surface by the axes of their ellipsoids. Both surfaces may have
-/// any orientation.
+/// Align a surface with a reference surface by the axes of their ellipsoids. The orientations of
+/// both surfaces are arbitrary.
 ///
 /// Candidates are the four rotations that align the axes of both ellipsoids. Two axes are called
 /// similar if their lengths differ by less than a tenth. If two axes of the surface are similar,

@@ -1,8 +1,9 @@
 /// Fit spherical harmonics to values at the vertices of a surface that is mapped to the sphere.
 ///
 /// Own construction, not from a publication: the equations of the fit are solved by iterations.
-/// Each iteration multiplies functions on a quadrature grid, a grid of directions for integrals
-/// over the sphere. Unlike the method of \cite Brechbuehler1995, this method needs no dense matrix.
+/// Each iteration multiplies a function by the area density (area of the surface per area of the
+/// sphere). The multiplication uses a quadrature grid, a grid of directions for integrals over the
+/// sphere. Unlike the method of \cite Brechbuehler1995, this method needs no dense matrix.
 
 #ifndef ConformalHarmonicFit_h
 #define ConformalHarmonicFit_h
@@ -27,8 +28,9 @@ namespace conformal
 /// maps the coefficients of f to those of f times the area density. Only the part of the density up
 /// to degree 2 L affects these coefficients. Products of the matrix and a vector can therefore be
 /// computed exactly on a Gauss-Legendre grid (HarmonicGrid.h). No dense matrix is formed. The cost
-/// is O(#V L^2) once, and O(L^3) for each of about 20 iterations. The preconditioner, an
-/// approximate inverse of the matrix, divides a function by the area density of the triangles.
+/// is O(#V L^2) once, and O(L^3) for each of about 20 iterations. The preconditioner is an
+/// approximate inverse of the matrix. It divides a function by a density that is constant on each
+/// triangle: the triangle's area divided by its area on the sphere.
 ///
 /// Implementation note: the software SPHARM-PDM, by M. Styner and others, Insight Journal 1071
 /// (2006), solves dense equations instead. There, all vertices have equal weights.

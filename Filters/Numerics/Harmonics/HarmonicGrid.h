@@ -11,9 +11,9 @@
 namespace conformal
 {
 /// Grid of directions on the sphere, arranged on parallels (circles of equal latitude). The heights
-/// z of the parallels are Gauss-Legendre nodes, and longitudes are evenly spaced. A transform
-/// consists of a Fourier transform along each parallel, and a sum over parallels. The cost is
-/// O(L^3) for about L^2 directions, where L is the degree of the harmonics.
+/// z of the parallels are Gauss-Legendre nodes (GaussLegendre.h). The longitudes are evenly spaced.
+/// A transform consists of a Fourier transform along each parallel, and a sum over parallels. The
+/// cost is O(L^3) for about L^2 directions, where L is the degree of the harmonics.
 class HarmonicGrid
 {
 public:

@@ -22,7 +22,7 @@
 
 namespace conformal
 {
-/// Algorithm of training: the mesh is learned from the points step by step.
+/// Algorithm of training, which learns the mesh from the points step by step.
 enum class TrainingMode
 {
   Batch, ///< many patterns per step, on finer and finer networks; then a least-squares fit
@@ -97,9 +97,9 @@ struct StartReport
   /// boundary between inside and outside is then uncertain. Computed only for a hull by
   /// HullMethod::Distance.
   bool HullLeaks = false;
-  /// Fraction of the hull's area on cuts, in [0, 1]. A cut opens a handle, like that of a cup,
-  /// since a hull has no handles. If the fraction is above 0, the object is not of genus zero, or
-  /// its limbs touch each other.
+  /// Fraction of the hull's area on cuts, in [0, 1]. A hull must not have handles, such as the
+  /// handle of a cup. Each handle is opened by a cut. If the fraction is above 0, the object is not
+  /// of genus zero, or its limbs touch each other.
   double CutFraction = 0.0;
   /// Number of samples outside of the hull and not near it. These samples are outliers, or separate
   /// parts of the object.
@@ -116,9 +116,9 @@ struct ConformalSOMResult
   std::vector<double> Supported;
   SurfaceQuality Quality; ///< quality, evaluated by the samples; only in Batch mode
   int NumberOfStarts = 1; ///< number of start surfaces tried; the best result is returned
-  /// Whether SpherePositions are a conformal map. If false, some triangles of the conformal map
-  /// would be too small for double precision. Then SpherePositions are a map that is less
-  /// conformal.
+  /// Whether SpherePositions (the positions of the vertices on the unit sphere) are a conformal
+  /// map. If false, some triangles of the conformal map would be too small for double precision.
+  /// Then SpherePositions are a map that is less conformal.
   bool ConformalMapFits = true;
 };
 }

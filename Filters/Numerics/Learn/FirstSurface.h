@@ -20,21 +20,23 @@
 
 namespace conformal
 {
-/// Closed start surface in the samples' unit (maximum radius 1), with settings of the fit. The
-/// settings depend on how the surface was made.
+/// Closed start surface, with settings for its fit to the samples. The settings depend on how the
+/// surface was made. Positions are in the samples' unit: the maximum distance of a sample from the
+/// centroid of the samples is 1.
 struct FirstSurface : AdaptiveStart
 {
   StartReport Report; ///< properties of the start surface
 };
 
 /// Learn a start surface from the unit sphere, by batch training on geodesic networks of increasing
-/// frequency (BatchTraining.h). A network is a subdivided icosahedron whose vertices, the neurons,
-/// are moved toward the samples. The neurons of the finest network are the vertices of the start
-/// surface. The start surface has about a quarter of the vertices of the mesh to learn.
+/// frequency (BatchTraining.h). A network is a subdivided icosahedron. The frequency is the number
+/// of segments per edge of the icosahedron. Training moves the vertices, called neurons, toward the
+/// samples. The neurons of the finest network are the vertices of the start surface. The start
+/// surface has about a quarter of the vertices of the mesh to learn.
 /// @param[in] observer  function called after each network; may be empty
 /// @throws NumericalFailure if a trained network spans areas without samples, or has many obtuse
-///   triangles. Obtuse triangles indicate that the network is stretched over limbs. If
-///   options.StartingShape is Sphere, this exception is not thrown.
+///   triangles. Obtuse triangles indicate that the network is stretched over limbs (thin parts of
+///   the object). If options.StartingShape is Sphere, this exception is not thrown.
 /// @throws Aborted
 FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MeshObserver& observer, const Run& run = {});
@@ -49,8 +51,8 @@ FirstSurface firstSurfaceFromHull(const TrainingSamples& samples,
 
 /// Make a start surface from a mesh by orienting its triangles outward.
 /// @param[in] mesh   closed mesh in the samples' unit
-/// @param[in] guide  surface to which vertices without samples are pulled (LeastSquaresFit.h), or
-///   null. A guide is given if the samples are vertices of the mesh.
+/// @param[in] guide  surface to which the fit pulls vertices without samples nearby
+///   (LeastSquaresFit.h), or null. A guide is given if the samples are vertices of the mesh.
 /// @throws std::invalid_argument if the mesh is not closed and of genus zero, or has a coordinate
 ///   above 4 in magnitude
 /// @throws Aborted

@@ -21,9 +21,9 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// result.
 ///
 /// Each learned mesh is evaluated (SurfaceQuality.h). A mesh is bad if one of its defects exceeds
-/// the tolerance for this defect. Webs are spurious membranes that span gaps between limbs. Only
-/// meshes learned from the sphere are tested for webs. A result is good if its mesh is not bad and
-/// has no webs.
+/// the tolerance for this defect. Webs are spurious membranes that span gaps between limbs (thin
+/// parts). Only meshes learned from the sphere are tested for webs. A result is good if its mesh is
+/// not bad and has no webs.
 ///
 /// For StartingShape Automatic, the following start surfaces are tried in this order until a result
 /// is good. For other values of StartingShape, only some of the start surfaces are tried, as stated

@@ -87,7 +87,8 @@ struct SurfaceMismatch
 /// @param[in] modelTriangles  #F by 3, at least one
 /// @param[in] referencePoints  #P by 3; all processes together have at least one point
 /// @param[in] referenceTriangles  ids of reference points; may be empty
-/// @param[in] reduce  sum over all processes that hold parts of the reference
+/// @param[in] reduce  function that combines values of all processes that hold parts of the
+///   reference
 /// @throws std::invalid_argument if the model has no triangles, or if the reference has no points
 /// @throws std::invalid_argument if a coordinate is not finite
 /// @throws std::invalid_argument if all reference points coincide, so that the unit is zero

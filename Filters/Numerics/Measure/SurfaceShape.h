@@ -52,7 +52,7 @@ Eigen::VectorXd meanCurvatureIntegrals(const Mesh& surface);
 
 /// Integrate the Gaussian curvature around each vertex. The integral is 2 pi minus the sum of the
 /// angles of the adjacent triangles at the vertex. The total over a closed surface is 2 pi times
-/// the Euler number.
+/// the Euler number, which is 2 if the surface has no handles.
 Eigen::VectorXd gaussianCurvatureIntegrals(const Mesh& surface);
 
 /// Compute the area around each vertex: the part of the adjacent triangles that is closer to this

@@ -58,8 +58,8 @@ struct ConsistentMeshes
 ///
 /// For each direction and each surface, find the triangle that contains the direction on the
 /// sphere. The position of the surface point is interpolated linearly in this triangle.
-/// @param[in] surfaces  #S closed surfaces with maps to the sphere, at least one. Isolated points
-///   are ignored.
+/// @param[in] surfaces  #S closed surfaces with maps to the sphere, at least one. Points without
+///   triangles are ignored.
 /// @throws std::invalid_argument if a surface is open, or its map does not cover the sphere exactly
 ///   once
 /// @throws std::invalid_argument if only some of the maps are mirrored, or an option is out of

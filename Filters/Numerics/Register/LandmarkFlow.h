@@ -19,22 +19,23 @@ namespace conformal
 /// Options of flowToLandmarks().
 struct LandmarkFlowOptions
 {
-  /// Widths of the Gaussian functions whose sum is the flow, as straight distances between points
-  /// of the unit sphere. The widths are used one after the other, from large to small. The next
-  /// width is used if steps with the present width do not bring the landmarks closer to their
-  /// targets. After the last width, the sequence of widths is repeated. The repetition ends if a
-  /// sequence reduced the sum of the landmarks' distances from their targets by less than 5
-  /// percent.
+  /// The flow is a sum of Gaussian functions of the distance from each landmark. A width is the
+  /// standard deviation of the Gaussian functions, as a chord length of the unit sphere. The widths
+  /// are used one after the other, from large to small. The next width is used if steps with the
+  /// present width do not bring the landmarks closer to their targets. After the last width, the
+  /// sequence of widths is repeated. The repetition ends if a sequence reduced the sum of the
+  /// landmarks' distances from their targets by less than 5 percent.
   std::vector<double> Widths = { 0.8, 0.5, 0.3, 0.15, 0.07, 0.03, 0.015 };
   /// A landmark has reached its target if its distance from the target is at most Tolerance, on the
   /// unit sphere.
   double Tolerance = 1e-9;
   double LongestStep = 0.1;        ///< maximum rotation of a landmark in a step, in radians
   int MaximumNumberOfSteps = 1000; ///< total number of steps, over all widths
-  /// Function that repairs folded triangles by small moves of vertices. The argument contains the
-  /// vertices after a step that folds triangles. The step is first shortened, see
-  /// flowToLandmarks(). If a quarter of the step still folds triangles, the function is called. The
-  /// function returns true if it has repaired all triangles. May be empty.
+  /// Function that repairs folded triangles by small moves of vertices; may be empty. If a step
+  /// folds triangles, the moves of nearby landmarks are halved, see flowToLandmarks(). The function
+  /// is called when these moves are a quarter of their full length or less, but triangles are still
+  /// folded. The argument contains the vertices after the shortened step. The function returns true
+  /// if it has repaired all triangles. If the function returns false, the moves are halved again.
   std::function<bool(Points&)> Repair;
 };
 
@@ -55,8 +56,8 @@ struct LandmarkFlowResult
 ///
 /// A landmark is called active if it has not reached its target. If a step would fold a triangle,
 /// the active landmark nearest to the triangle is moved less. The step of this landmark is halved
-/// until no triangle is folded. If 1/64 of the step still folds a triangle, the landmark is not
-/// moved. The steps of the other landmarks keep their length.
+/// until no triangle is folded, or options.Repair succeeds. If 1/64 of the step still folds a
+/// triangle, the landmark is not moved. The steps of the other landmarks keep their length.
 /// @param[in] triangles   #F by 3, triangles of a map to the sphere
 /// @param[in] ids         ids of the landmark vertices; no id is repeated
 /// @param[in] targets     target of each landmark: one unit vector per row

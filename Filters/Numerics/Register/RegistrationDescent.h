@@ -30,7 +30,8 @@ struct SampledSurface
 };
 
 /// Landmark: a point of the moving surface, and the corresponding point of the fixed surface. Both
-/// points are given by their positions on the sphere.
+/// points are given by their positions on the sphere. The target of the landmark is the position of
+/// the second point.
 struct SpherePair
 {
   Vector3 From, To; ///< unit vectors on the sphere of the moving and of the fixed surface

@@ -36,9 +36,9 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 /// With MorphPath::Linear, positions are averaged. MorphPath::Rigid blends triangles as follows:
 /// 1. For each shape, find the rotation that best aligns the first shape with this shape. Rotate
 ///    the shape back by this rotation.
-/// 2. Compute the deformation gradient of each triangle: the linear map from the first shape, which
-///    also maps the unit normal. Split the gradient into a rotation and a stretch (polar
-///    decomposition).
+/// 2. Compute the deformation gradient of each triangle: the linear map from the triangle of the
+///    first shape to that of this shape. The gradient also maps the unit normal of one triangle to
+///    that of the other. Split the gradient into a rotation and a stretch (polar decomposition).
 /// 3. Undo the rotation of each triangle, and average the triangles of all shapes. Average the
 ///    logarithms (rotation vectors) of the rotations of triangles, and of whole shapes. Apply the
 ///    mean rotations to the mean triangles.

@@ -2,10 +2,9 @@
 /// of the moving surface is deformed until corresponding points of both surfaces have the same
 /// position on the sphere.
 ///
-/// Own construction, not from a publication: an energy is minimized step by step, by descents from
-/// several initial rotations. The first descents use a coarse mesh of the sphere, the next ones
-/// finer meshes. A descent is a stepwise minimization. A single descent could end in a poor local
-/// minimum.
+/// Own construction, not from a publication: an energy is minimized by descents (stepwise
+/// minimizations) from several initial rotations. The first descents use a coarse mesh of the
+/// sphere, the next ones use finer meshes. A single descent could end in a poor local minimum.
 
 #ifndef ConformalSphericalRegistration_h
 #define ConformalSphericalRegistration_h
@@ -33,7 +32,8 @@ enum class SpaceOfTransforms
 struct SphericalRegistrationOptions
 {
   SpaceOfTransforms Space = SpaceOfTransforms::Diffeomorphic;
-  /// Weight of the features that are computed from the shapes of the surfaces; 0 to ignore them.
+  /// Weight of the features that are computed from the shapes of the surfaces; 0 to ignore them. A
+  /// feature is a number at each vertex, such as the curvature.
   double ShapeWeight = 1.0;
   /// Weight of the stretch (symmetric Dirichlet energy) of the map between the surfaces; above 0.
   double StretchWeight = 1.0;
@@ -58,9 +58,10 @@ struct SphericalRegistrationResult
   /// Stretch (symmetric Dirichlet energy) of the map between the surfaces; 1 if the map is
   /// isometric (preserves lengths).
   double Stretch = 0.0;
-  /// Landmarks are given pairs of corresponding vertices. The target of a vertex of the moving
-  /// surface is the sphere position of the corresponding vertex of the fixed surface. This value is
-  /// the maximum distance between a landmark and its target after registration.
+  /// Landmarks are given vertices of the moving surface, each with a corresponding vertex of the
+  /// fixed surface. The target of a landmark is the sphere position of the corresponding vertex.
+  /// LandmarkError is the maximum distance between a landmark and its target on the unit sphere,
+  /// after registration.
   double LandmarkError = 0.0;
   /// Weighted mean correlation of the features of both surfaces before registration; 1 without
   /// features.
@@ -90,7 +91,8 @@ struct SphericalRegistrationResult
 /// 3. Continue the descents on finer geodesic spheres, and keep the map with the lowest score. In
 ///    the last descent, the energy terms against folds have smaller weights.
 /// 4. Interpolate the deformation of the geodesic sphere at the moving surface's vertices. Then
-///    move landmark vertices to their targets by a flow (LandmarkFlow.h).
+///    move landmark vertices to their targets by a flow, a smooth motion of all vertices
+///    (LandmarkFlow.h).
 ///
 /// If the deformation folds a triangle of the moving surface, a smaller fraction of the deformation
 /// is applied. For SpaceOfTransforms Rotation and Moebius, the result is a transform instead of a

@@ -15,7 +15,9 @@ namespace conformal
 enum class ResampleMethod
 {
   Barycentric, ///< interpolate in the source triangle that contains each target point
-  AreaAdaptive ///< every source point contributes in proportion to its area
+  /// Every source point contributes in proportion to its area. The area of a point is a third of
+  /// the total area of its triangles.
+  AreaAdaptive
 };
 
 /// Options of resampleSurface().

@@ -29,7 +29,8 @@ struct SphericalTemplateOptions
   int MeanFrequency = 45;
   /// Maximum number of rounds, at least 0. Each round registers all surfaces with the mean.
   int MaximumNumberOfRounds = 4;
-  /// Rounds end if the mean changes by at most this fraction of its root mean square radius.
+  /// Rounds end if the mean changes by at most this fraction of its root mean square radius. A
+  /// radius is the distance of a point from the center of the mean.
   double Tolerance = 0.01;
 };
 

@@ -16,7 +16,8 @@ namespace conformal
 Eigen::Matrix3d rotationOf(const Vector3& rotationVector);
 
 /// Compute the rotation of a triangle's deformation: the orthogonal factor in the polar
-/// decomposition of the deformation gradient. The gradient also maps the normal of the first
+/// decomposition of the deformation gradient. The gradient is the linear map of the first
+/// triangle's edges to those of the second triangle. It also maps the unit normal of the first
 /// triangle to that of the second triangle.
 /// @param[in] from, to   corners of the triangle before and after the deformation, one per column
 /// @param[in] otherwise  return value if the triangle has zero area in `from` or `to`

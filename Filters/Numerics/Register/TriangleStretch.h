@@ -17,10 +17,11 @@ using TriangleMetric = std::array<double, 3>;
 /// Compute the area of a triangle from its metric.
 double areaOf(const TriangleMetric& metric);
 
-/// Compute the stretch of a triangle between its metric at rest and its present metric. Let J be
-/// the linear map from the rest shape to the present shape, and |J| its Frobenius norm. Let a and b
-/// be the areas of both shapes. The stretch is (|J|^2 + |J^-1|^2 - 4) (a + b) / 2. The stretch is 0
-/// for equal metrics, and infinite for a triangle of zero area.
+/// Compute the stretch of a triangle between its metric at rest (before the deformation) and its
+/// present metric (after the deformation). Let J be the linear map from the rest shape to the
+/// present shape, and |J| its Frobenius norm. Let a and b be the areas of both shapes. The stretch
+/// is (|J|^2 + |J^-1|^2 - 4) (a + b) / 2. The stretch is 0 for equal metrics, and infinite for a
+/// triangle of zero area.
 double triangleStretch(const TriangleMetric& rest, const TriangleMetric& now);
 
 /// Quadratic model of an energy for a small change u of six unknowns. The energy changes by Slope^T
@@ -31,9 +32,10 @@ struct TriangleForm
   Eigen::Matrix<double, 6, 6> Stiffness; ///< approximate Hessian of the energy
 };
 
-/// Edge vectors of a triangle that depends on six unknowns, two for each corner. Each corner has a
-/// position on a surface, and is mapped to a position on the unit sphere. An edge vector therefore
-/// has six coordinates: three on the surface, then three on the sphere, multiplied by a factor.
+/// Edge vectors of a triangle with moving corners. Each corner has a position on a surface, and is
+/// mapped to a position on the unit sphere. An edge vector therefore has six coordinates: three on
+/// the surface, then three on the sphere, multiplied by a factor. The corners move along the
+/// sphere. The moves are six unknowns, two for each corner.
 struct MovingTriangle
 {
   Eigen::Matrix<double, 6, 1> P, Q; ///< edge vectors from the first corner

@@ -286,8 +286,8 @@ struct CurvedSeamlessSurfaceResult
   Index NumberOfDegeneratePatches = 0; ///< number of degenerate triangles
 };
 
-/// Build a curved seamless surface, and evaluate the surface in given directions. These are all 11
-/// steps of the CSS algorithm of \cite Liou2008.
+/// Build a curved seamless surface, and evaluate the surface in given directions. This function
+/// executes all 11 steps of the CSS algorithm of \cite Liou2008.
 ///
 /// @param[in] model  closed mesh with a map to the sphere; see the constructor of
 ///   CurvedSeamlessSurface

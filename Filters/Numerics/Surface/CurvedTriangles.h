@@ -128,8 +128,8 @@ private:
 ///
 /// Implementation note: the system is solved by 8 steps of the Chebyshev iteration, preconditioned
 /// by the row sums of M. The eigenvalues of the preconditioned matrix are in [1/4, 1]. Each step
-/// therefore reduces the error by a factor of 3. No step adds values of all vertices, so that the
-/// result has the same bits for any number of threads.
+/// therefore reduces the error by a factor of 3. No step sums values over all vertices. The result
+/// therefore has the same bits for any number of threads.
 ///
 /// @param[in] surface  curved triangles through the original vertices
 /// @param[in] around  triangles around each vertex, see vertexTriangles()

@@ -25,9 +25,9 @@ namespace conformal
 ///   weight is a quotient, which is 0/0 at a corner. There, the quotient is set to 1. This choice
 ///   does not change the surface, since the height of the dome at a corner is 0.
 /// - In Eq. 11, a_q' is the point of an edge at which the perpendicular from q' ends. If the image
-///   of the centroid projects beyond an end of the edge, the perpendicular may leave the
-///   subtriangle before. In this case, a_q' is the point where the perpendicular leaves the
-///   subtriangle.
+///   of the centroid projects beyond an end of the edge, the perpendicular can leave the
+///   subtriangle before it reaches the edge. In this case, a_q' is the point where the
+///   perpendicular leaves the subtriangle.
 /// - Neighbors with exactly opposite normals have no mean normal (Eq. 8). The normal of each
 ///   triangle is then used at the common edge.
 /// - A triangle of zero area has no normal. At its edges, the normals of the neighbors are used.
@@ -36,7 +36,7 @@ class SphereDomes
 public:
   SphereDomes() = default;
 
-  /// Store pointers to the arguments. All arguments but the map must outlive this object.
+  /// Store pointers to the first four arguments, which must outlive this object.
   /// @param[in] sphere  unit vectors of the vertices on the sphere, #N by 3
   /// @param[in] model  positions of the vertices in space, #N by 3
   /// @param[in] triangles  vertex ids of the triangles, #R by 3

@@ -1,7 +1,8 @@
 /// Estimate how far vertices of a learned mesh must be shifted before curved triangles are built on
-/// the mesh. On ridges, the vertices of a fitted mesh are outside of the points. Curved triangles
-/// through these vertices would be too far outside. The method is an own construction, not from a
-/// publication. One factor (share) for all vertices is found by least squares.
+/// the mesh. On ridges, the vertices of a mesh that was fitted to points are outside of the points.
+/// Curved triangles through these vertices would be too far outside. The method is an own
+/// construction, not from a publication. One factor for all vertices, called share, is found by
+/// least squares.
 
 #ifndef ConformalVertexShift_h
 #define ConformalVertexShift_h

@@ -60,8 +60,8 @@ using LevelTest = std::function<bool(const FittedMesh&, const std::vector<double
 /// (options.ReferencePoint). Second, the weights are diffused over the network, so that neighboring
 /// neurons are also moved. The diffusion becomes narrower from pass to pass.
 ///
-/// @param[in] goesOn  function called after the training of each network; if empty, all networks
-///   are trained
+/// @param[in] goesOn  function called after the training of each network. If the function returns
+///   false, training stops. If the function is empty, all networks are trained.
 /// @return the mesh in the samples' unit (maximum radius 1), with an estimate of the samples' noise
 /// @throws NumericalFailure if goesOn returns false
 /// @throws Aborted

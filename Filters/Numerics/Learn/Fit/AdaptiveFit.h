@@ -1,8 +1,8 @@
 /// Fit a closed mesh to samples of a surface. All triangles of the mesh are about equally large.
 ///
 /// Own construction, not from a publication: least-squares fits alternate with remeshing (making
-/// new triangles). Good triangles can only be made after the shape of the surface is known, and
-/// each fit improves the shape.
+/// new triangles). Good (nearly equilateral) triangles can be made when the shape of the surface is
+/// known. Each fit improves the shape.
 
 #ifndef ConformalAdaptiveFit_h
 #define ConformalAdaptiveFit_h
@@ -26,8 +26,11 @@ struct AdaptiveFitOptions : FitOptions
   /// Number of samples per vertex in each iteration of the final fit.
   Index SamplesPerVertex = 12;
   unsigned int RandomSeed = 1; ///< seed of the selection of samples
-  /// Function called with the start surface before and after remeshing, the mesh of each turn, and
-  /// the final mesh. A turn is a fit followed by remeshing. May be empty.
+  /// Function called with intermediate meshes; may be empty. A turn is a fit followed by remeshing.
+  /// The intermediate meshes are:
+  /// - the start surface, before and after remeshing,
+  /// - the fitted mesh of each turn, before remeshing,
+  /// - the final mesh.
   MeshObserver Observer;
 };
 
@@ -44,7 +47,7 @@ struct AdaptiveStart : LearnedMesh
   double OutlierRatio = 10.0;
   /// Function that returns whether a sample is used; if empty, all samples are used.
   std::function<bool(const Vector3&)> Belongs;
-  /// Surface to which vertices without samples are pulled (LeastSquaresFit.h), or null.
+  /// Surface to which the fit pulls vertices without samples nearby (LeastSquaresFit.h), or null.
   std::shared_ptr<const TriangleTree> Guide;
 };
 
@@ -61,9 +64,11 @@ struct AdaptiveStart : LearnedMesh
 ///
 /// The noise of the samples is estimated before the final fit (NoiseEstimate.h). For the estimate,
 /// distances of samples from two meshes are compared. One mesh is that before the final fit, and
-/// the other one has a quarter of the vertices. With more noise, the final fit is smoother. If the
-/// noise is large relative to the edge length, the first turn is repeated with a larger weight of
-/// the smoothness terms.
+/// the other one has a quarter of the vertices. With more noise, the final fit is smoother.
+///
+/// Large noise is detected earlier, from the distances of samples to the fitted mesh of the first
+/// turn. If the noise is large relative to the edge length, the fit of this turn is repeated. The
+/// repeated fit and later turns have a larger weight of the smoothness terms.
 ///
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks

@@ -1,6 +1,6 @@
 /// Set up the equations of fairing, which removes noise from a mesh fitted to samples (FairFit.h).
 /// Fairing minimizes the squared distances of the samples to the mesh, plus the change of mean
-/// curvature along the mesh. Own construction, since the only unknowns are the moves of the
+/// curvature along the mesh. Own construction, in which the only unknowns are the moves of the
 /// vertices along their normals. The curvature is computed with the Laplacian of \cite Pinkall1993.
 
 #ifndef ConformalFairEquations_h
@@ -39,7 +39,8 @@ struct FairSamplesOptions
 /// Squared distances of samples to a mesh, as a function of the moves u of the vertices along their
 /// normals. Each distance is measured along the normal, and is a linear function of u. The foot
 /// point of a sample is its closest point on the mesh. The samples with foot points in triangle r
-/// have a sum of squared distances of u A_r u - 2 u g_r + s_r.
+/// have a sum of squared distances of u A_r u - 2 u g_r + s_r, with a matrix A_r, a vector g_r and
+/// a number s_r.
 class SampleDistances
 {
 public:
@@ -50,8 +51,9 @@ public:
   SampleDistances(const TrainingSamples& samples, const FairSamplesOptions& options,
     const Mesh& mesh, const Points& normals, const Adjacency& neighbors, const Run& run = {});
 
-  /// Sum over all triangles of the precision of the triangle times its squared distances: u A u - 2
-  /// u g + s. A precision is the inverse of the variance of the noise, up to a common factor.
+  /// Sum of the squared distances of all samples, weighted by the precision of their triangles. As
+  /// a function of u, the sum is u A u - 2 u g + s. A precision is the inverse of the variance of
+  /// the noise, up to a common factor.
   struct Sum
   {
     SparseMatrix Matrix;   ///< A
@@ -69,8 +71,8 @@ public:
   /// contributes a third of its sum to each of its corners.
   Eigen::VectorXd squaresAt(const Eigen::VectorXd& displacements) const;
 
-  /// Compute the part of squaresAt() that is quadratic in the moves. On average over random moves
-  /// of mean zero, this part is the expected increase of squaresAt().
+  /// Compute the part of squaresAt() that is quadratic in the moves. If the moves are random with
+  /// mean zero, the mean of this part is the expected increase of squaresAt().
   /// @param[in] deviations  random move of each vertex along its normal, #V
   Eigen::VectorXd increaseAt(const Eigen::VectorXd& deviations) const;
 
@@ -105,8 +107,9 @@ private:
 };
 
 /// Mean curvature of a mesh, as a linear function h + C u of the moves u of the vertices along
-/// their normals. The matrix is C = M^-1 L. Here L is the Laplacian of \cite Pinkall1993, and M is
-/// the diagonal matrix of the areas around the vertices.
+/// their normals. The vector h is the curvature before the moves. The matrix is C = M^-1 L. Here L
+/// is the Laplacian of \cite Pinkall1993, and M is the diagonal matrix of the areas around the
+/// vertices.
 ///
 /// On a ridge, the flat triangles of a fitted mesh intersect the object: their corners are outside,
 /// and their centers are inside. To compute h, the vertices are first moved onto a smooth surface,
@@ -117,7 +120,7 @@ public:
   CurvatureChange(const Mesh& mesh, const Points& normals);
 
   /// Compute the tensor g g^T at each vertex, where g is the gradient of the curvature h + C u. The
-  /// tensor is integrated over a third of the triangles around the vertex.
+  /// tensor is integrated over a third of the area of each triangle around the vertex.
   Tensors squaresAt(const Eigen::VectorXd& displacements) const;
   /// Compute the tensors g g^T of squaresAt() for the curvature C u, without h.
   Tensors homogeneousSquaresAt(const Eigen::VectorXd& deviations) const;
@@ -132,8 +135,8 @@ public:
     Columns Probes;        ///< random vectors with covariance K
   };
   /// @param[in] variances  expected value of the tensors of squaresAt(), not zero
-  /// @param[in] sharp  whether each vertex is on a crease, #V. Triangles at a crease have the
-  ///   relative weight 0.0001, which keeps the equations regular.
+  /// @param[in] sharp  whether each vertex is on a crease (sharp edge of the object), #V. Triangles
+  ///   at a crease have the relative weight 0.0001, which keeps the equations regular.
   Energy energy(const Tensors& variances, const std::vector<bool>& sharp) const;
 
 private:

@@ -1,9 +1,9 @@
 /// Make a fitted mesh fair: remove the noise of the samples from the surface, but keep the detail
 /// of the object. The amount of smoothing is found from the samples, separately for each part of
-/// the surface. Own construction, since one amount of smoothing does not suit both smooth and
-/// detailed parts. Published methods are combined: generalized cross-validation \cite Craven1979
-/// selects the smoothing, and the EM (expectation-maximization) algorithm \cite Dempster1977
-/// estimates variances.
+/// the surface. One amount of smoothing does not suit both smooth and detailed parts of an object.
+/// The method is an own construction, which combines published methods. Generalized
+/// cross-validation \cite Craven1979 selects the smoothing. The EM (expectation-maximization)
+/// algorithm \cite Dempster1977 estimates variances.
 
 #ifndef ConformalFairFit_h
 #define ConformalFairFit_h
@@ -23,8 +23,8 @@ struct FairFitOptions : FairSamplesOptions
 {
   /// Whether each vertex is on a sharp edge of the object, #V; empty if there are no sharp edges.
   std::vector<bool> Creases;
-  /// Factor of the final weight of the penalty, see fairFit(), in [1e-6, 1e6]. A larger factor
-  /// makes the surface smoother.
+  /// Factor of the penalty's weight in the second step of fairFit(), in [1e-6, 1e6]. A larger
+  /// factor makes the surface smoother.
   double Smoothness = 1.0;
 };
 
@@ -35,34 +35,40 @@ struct FairFitResult
   std::vector<double> StandardError;
   /// Number of free parameters of the surface, at most #V. Smoothing decreases this number.
   double DegreesOfFreedom = 0.0;
-  /// Variance of the distances between samples and surface: the median over the variances at all
-  /// vertices. The distances are due to noise, and to detail that is too fine for the mesh.
+  /// Variance of the distances between samples and surface. A variance is estimated at each vertex,
+  /// and this value is the median. The distances are due to noise, and to detail that is too fine
+  /// for the mesh.
   double Variance = 0.0;
 };
 
 /// Move the vertices of a fitted mesh along their normals. The moves minimize the squared distances
 /// of the samples to the surface, plus a penalty. The penalty is a weight times the squared
-/// gradient of the mean curvature along the surface (FairEquations.h). On spheres and cylinders,
-/// the mean curvature is constant, so that the penalty does not shrink these shapes.
+/// gradient of the mean curvature, summed over the surface (FairEquations.h). On spheres and
+/// cylinders, the mean curvature is constant, so that the penalty does not shrink these shapes.
 ///
 /// The minimum is computed twice, in two steps with different penalties:
 ///
 /// 1. In the first step, a single weight is used. At each vertex, the penalty is divided by the
 ///    squared gradient of curvature of the fitted mesh near the vertex. The weight is selected by
-///    generalized cross-validation \cite Craven1979. This method estimates how well the surface
-///    predicts samples that are left out. For the estimate, the number of free parameters of the
-///    surface is computed with a random vector \cite Hutchinson1989.
+///    generalized cross-validation \cite Craven1979. Cross-validation estimates how well the
+///    surface predicts samples that are left out. For this estimate, the number of free parameters
+///    of the surface is computed with a random vector \cite Hutchinson1989.
 /// 2. The second step uses a statistical model. In this model, the noise of the samples and the
 ///    gradient of curvature are independent Gaussian variables. The variances of the variables
-///    differ from vertex to vertex. Each variance is estimated from the surface of the first step,
-///    as the mean square near the vertex. The square that is expected from the uncertainty of this
-///    surface is added. This estimate is one step of the EM algorithm \cite Dempster1977. The
-///    variances of the gradient also depend on the direction. A ridge is therefore smoothed along
-///    the ridge, but not across.
+///    differ from vertex to vertex. Each variance is the mean square of its variable near the
+///    vertex, computed from the surface of the first step. The surface of the first step is
+///    uncertain. The expected square of its error is added to each variance. Computing the
+///    variances is one step of the EM algorithm \cite Dempster1977. The variances of the gradient
+///    also depend on the direction. Along a ridge, the variance is small, and the surface is
+///    smoothed. Across the ridge, the variance is large, and the ridge is kept.
 ///
-/// Vertices in holes of the samples, and vertices on creases (options.Creases), are held near their
-/// positions, and so are vertices with a steep triangle. A triangle is steep if its normal and the
-/// vertex normal differ by more than 66 degrees. Across a crease, the penalty has almost no weight.
+/// Three kinds of vertices are held near their positions:
+/// - vertices in holes of the samples,
+/// - vertices on creases, the sharp edges of the object (options.Creases),
+/// - vertices with a steep triangle, whose normal and the vertex normal differ by more than 66
+///   degrees.
+///
+/// Across a crease, the penalty has almost no weight.
 ///
 /// @param[in,out] mesh  closed mesh in the unit of the samples, fitted by least squares
 /// @throws NumericalFailure if the equations cannot be solved; the mesh is then unchanged

@@ -10,14 +10,16 @@ namespace conformal
 struct FitOptions
 {
   /// Usual smoothness. The fit minimizes an energy with smoothness terms. The smoothness is the
-  /// weight of these terms at a vertex, divided by the mean total weight of samples per vertex.
+  /// weight of these terms at a vertex, divided by the mean mass. The mean mass is the total weight
+  /// of the samples, divided by the number of vertices.
   static constexpr double UsualSmoothness = 0.01;
 
   /// Number of iterations. Each iteration projects the samples to the surface, then moves the
   /// vertices.
   int Iterations = 10;
-  /// Factor that multiplies UsualSmoothness. The weight of the smoothing in FairFit.h is multiplied
-  /// by the same factor. If the samples are noisy, the smoothness is increased further.
+  /// Factor that multiplies UsualSmoothness. After the fit, FairFit.h removes noise by smoothing.
+  /// The weight of this smoothing is also multiplied by the factor. If the samples are noisy, the
+  /// smoothness is increased further.
   double Smoothness = 1.0;
   /// Whether samples farther from the surface have larger weights, see LeastSquaresFit.h.
   bool AutomaticPriority = true;

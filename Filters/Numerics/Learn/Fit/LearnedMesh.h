@@ -20,8 +20,8 @@ namespace conformal
 /// distance is called the maximum radius.
 struct TrainingRecord
 {
-  /// Frequency of the geodesic sphere (a subdivided icosahedron) whose number of triangles is
-  /// closest to that of the mesh.
+  /// Frequency of the geodesic sphere whose number of triangles is closest to that of the mesh. A
+  /// geodesic sphere is an icosahedron whose edges are divided into `Frequency` segments.
   int Frequency = 0;
   /// Radius sigma of the neighborhood in which a sample moves vertices, a length on the unit
   /// sphere.
@@ -58,7 +58,7 @@ struct FittedMesh : LearnedMesh
   /// Standard error of each vertex position along the normal, #V, in the samples' unit (maximum
   /// radius 1). Empty if unknown.
   std::vector<double> StandardError;
-  /// Number of free parameters of the surface; 0 if unknown.
+  /// Number of free parameters of the surface, which smoothing decreases; 0 if unknown.
   double DegreesOfFreedom = 0.0;
   /// Area of the fitted mesh, divided by the area of the surface before the fit.
   double AreaRatio = 1.0;

@@ -36,18 +36,18 @@ struct LeastSquaresFitOptions
   /// samples by this factor. See LocalScale.h.
   double OutlierRatio = 6.0;
 
-  /// Whether samples farther from the surface have larger weights, so that the fit reaches limb
-  /// ends. The weight is the distance of the sample divided by the root mean square distance,
-  /// clamped to [0.3, 2.8].
+  /// Whether samples farther from the surface have larger weights. With larger weights, the fit
+  /// reaches the ends of limbs (thin parts). The weight of a sample is its distance from the
+  /// surface, divided by the root mean square distance, clamped to [0.3, 2.8].
   ///
-  /// Without a Guide, this option also moves vertices without samples. In the second half of the
-  /// iterations, these vertices are pulled along their normals toward their nearest samples. By
-  /// this pull, a surface that covers a hollow moves into the hollow.
+  /// If Guide (see below) is null, this option also moves vertices without samples nearby. In the
+  /// second half of the iterations, these vertices are pulled along their normals toward their
+  /// nearest samples. By this pull, a surface that covers a hollow moves into the hollow.
   bool AutomaticPriority = true;
 
   /// Surface to which vertices without samples are pulled along their normals, or null. The weight
   /// of the pull is a tenth of the mean mass. Vertices over holes in the samples are not pulled if
-  /// the holes are wider than eight edges of the mesh.
+  /// the holes are wider than eight edge lengths of the mesh.
   std::shared_ptr<const TriangleTree> Guide;
 
   /// Maximum number of samples in an iteration. Each iteration uses different samples.

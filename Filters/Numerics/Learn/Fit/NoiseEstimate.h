@@ -21,9 +21,9 @@ namespace conformal
 /// surface has a quarter of the vertices of the fine surface.
 ///
 /// Detail is assumed to cause a six times smaller square error on the fine surface. This factor was
-/// measured on scans. For smooth objects and fine meshes, the factor would approach 16. Errors are
-/// then four times smaller if edges are half as long. The noise is assumed to cause the same square
-/// error on both surfaces.
+/// measured on scans. For smooth objects and fine meshes, the factor would approach 16, the square
+/// of 4. Errors of such meshes are four times smaller if edges are half as long. The noise is
+/// assumed to cause the same square error on both surfaces.
 /// @param[in] coarseError, fineError  typicalSquareError() of both surfaces
 /// @return the ratio, in [0, 10]; 10 if the error of the fine surface is not below that of the
 ///   coarse surface
@@ -39,7 +39,7 @@ class TypicalSquare
 {
 public:
   /// Add a squared distance.
-  /// @param[in] square  squared distance, at most 1e27
+  /// @param[in] square  squared distance, at most 1e27, the limit of the sums
   void add(double square);
 
   /// Compute the geometric mean of the squares added on all ranks.

@@ -29,14 +29,15 @@ namespace conformal
 /// - r = x - b w is the vector from the foot point to the pattern.
 /// - M is a 3 by 3 matrix of weights. Distances along the normal have weight 1. If the foot point
 ///   is inside a triangle, distances along the surface have weight 0.02. With this small weight,
-///   foot points can slide along the surface from iteration to iteration.
+///   foot points can slide along the surface from iteration to iteration. If the foot point is on
+///   an edge or at a vertex, all distances have weight 1.
 ///
 /// The term (b d - r)^T M (b d - r) is the squared distance of \cite Pottmann2006 without its
 /// curvature term. With this distance, a few iterations of the fit suffice.
 ///
 /// The second sum is over all vertices i. L is the uniform Laplacian: the position of vertex i
-/// minus the mean of its neighbors. The stiffness s_i is the weight of this term at vertex i. A
-/// larger stiffness makes the surface smoother. The part of the Laplacian along the surface is
+/// minus the mean position of its neighbors. The stiffness s_i is the weight of this term at vertex
+/// i. A larger stiffness makes the surface smoother. The part of the Laplacian along the surface is
 /// weighted by `evenness`, a parameter of solve().
 ///
 /// The bending energy (HingeBending.h) is a sum over all edges. Each edge contributes an energy

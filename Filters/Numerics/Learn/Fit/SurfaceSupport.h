@@ -1,9 +1,10 @@
 /// Find the unsupported area of a learned surface: the area that is far from all samples. Samples
-/// are called patterns, as in \cite Liou2008.
+/// are called patterns, as in \cite Liou2008. Each pattern is projected to its closest point on the
+/// surface.
 ///
 /// Own construction, not from a publication: patterns per area are counted. The mismatch error
-/// E_mis of \cite Liou2008 does not detect unsupported area. This error is only measured from
-/// patterns to the surface.
+/// E_mis of \cite Liou2008 does not detect unsupported area. E_mis is measured from the patterns to
+/// the surface, but not from the surface to the patterns.
 
 #ifndef ConformalSurfaceSupport_h
 #define ConformalSurfaceSupport_h
@@ -17,13 +18,14 @@
 
 namespace conformal
 {
-/// Find unsupported vertices. Unsupported vertices are on webs (spurious membranes) between limbs,
-/// or on fillings of holes in the data.
+/// Find unsupported vertices. Unsupported vertices are on webs (spurious membranes) between limbs
+/// (thin parts), or on fillings of holes in the data.
 ///
-/// The number of patterns around a vertex is compared with an expected number. This is the number
-/// in an area of the same size, if patterns were spread evenly. The neighborhood of the vertex is
-/// enlarged until the expected number is about a hundred. If the neighborhood contains less than a
-/// quarter of this number, the vertex is unsupported.
+/// The number of patterns in a neighborhood of each vertex is compared with an expected number. If
+/// patterns were spread evenly over the surface, the neighborhood would contain the expected
+/// number. The neighborhood of the vertex is enlarged until the expected number is about a hundred.
+/// If the neighborhood contains less than a quarter of the expected number, the vertex is
+/// unsupported.
 ///
 /// @param[in] positions  #V by 3
 /// @param[in] triangles  #F by 3
@@ -42,8 +44,8 @@ std::vector<bool> idleVertices(
   const Triangles& triangles, const std::vector<double>& masses, Index numberOfVertices);
 
 /// Find unsupported vertices, and all vertices without patterns (idleVertices()) that are connected
-/// to unsupported vertices. On a web, unsupportedVertices() finds only the center, and this
-/// function finds the whole web. For the parameters, see unsupportedVertices().
+/// to unsupported vertices. On a web, unsupportedVertices() finds only the center. This function
+/// finds the whole web. For the parameters, see unsupportedVertices().
 std::vector<bool> bareVertices(const Points& positions, const Triangles& triangles,
   const Adjacency& neighbors, const std::vector<double>& masses);
 

@@ -1,7 +1,7 @@
-/// Define the kinds of reference points of a self-organizing map. A pattern is a sample that moves
-/// neurons. Neurons are the vertices of the learned mesh, and of a second mesh on the unit sphere,
-/// the network. The reference point r of a pattern is the center of the moved neighborhood in Eq. 3
-/// of \cite Liou2008.
+/// Define the kinds of reference points of a self-organizing map. A neuron is a vertex. It has a
+/// position in the learned mesh, and another position in the network, a mesh on the unit sphere. A
+/// pattern is a sample that moves neurons in space. These neurons are near the reference point r of
+/// the pattern on the sphere, see Eq. 3 of \cite Liou2008 for details.
 
 #ifndef ConformalReferencePoint_h
 #define ConformalReferencePoint_h
@@ -13,7 +13,9 @@ namespace conformal
 /// sphere. An image of the projection is a point of this network triangle.
 enum class ReferencePoint
 {
-  Automatic, ///< Conformal in Online mode, Affine in Batch mode
+  /// Conformal in Online mode (one pattern per step), Affine in Batch mode (many patterns per
+  /// step).
+  Automatic,
   /// Image of the projection by the conformal map between both triangles, Eqs. 4 and 5 of
   /// \cite Liou2008. A map with this reference point is called conformal self-organizing map (CSM).
   Conformal,
