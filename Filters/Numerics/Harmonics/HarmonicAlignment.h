@@ -37,9 +37,9 @@ struct HarmonicAlignment
 ///
 /// Each axis has two ends, one of which becomes the positive end. On the longest and the middle
 /// axis, the positive end is the one to which the surface extends farther. The sign of the third
-/// moment determines this end. The third moment is the integral of the cubed coordinate along the
-/// axis over the sphere. If the third moment is zero, the ends are compared by their positions on
-/// the sphere before the rotation. At the positive end, the coordinate of largest magnitude is
+/// moment determines this end. The third moment is the cubed coordinate along the axis, integrated
+/// over the sphere. If the third moment is zero, the ends are compared by their positions on the
+/// sphere before the rotation. At the positive end, the sphere coordinate of largest magnitude is
 /// positive. The shortest axis completes a right-handed frame. If two axes have equal lengths,
 /// their order is arbitrary.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
@@ -55,8 +55,8 @@ HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 /// both surfaces is selected and refined. Correlations are computed with harmonics up to degree 12.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of the positions of the surface
 /// @param[in] reference     coefficients of the reference; its degree L may be different
-/// @param[in] movesSurface  whether the surface is moved, too. If false, only the map is rotated,
-///   and the correlation is computed from the present positions.
+/// @param[in] movesSurface  whether the surface is moved, too. If false, only the map is rotated.
+///   The correlation is then computed from the present positions.
 HarmonicAlignment alignToReference(
   const Columns& coefficients, const Columns& reference, bool movesSurface, const Run& run = {});
 }

@@ -53,6 +53,7 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 ///   samples
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks
+///   (processes)
 ConformalSOMResult learnFromBestStart(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MappedMesh* mesh, const Run& run = {});
 }

@@ -35,8 +35,8 @@ struct SurfaceMismatchOptions
 constexpr double WebDistance = 0.02;
 
 /// Measures of the mismatch between a model surface and a reference. Distances are divided by
-/// LengthUnit, and mean squares by its square. ModelDistances and ReferenceDistances are not
-/// divided: they are in the unit of the user.
+/// LengthUnit, and mean squares by the square of LengthUnit. ModelDistances and ReferenceDistances
+/// are not divided. They are in the unit of the user.
 struct SurfaceMismatch
 {
   /// Length of SurfaceMismatchOptions::LengthUnit, in the unit of the user.
@@ -73,9 +73,10 @@ struct SurfaceMismatch
 /// the model, but not at all other points. HausdorffDistance is therefore a lower bound of the
 /// exact Hausdorff distance.
 ///
-/// Implementation note: samples are placed at equal steps of the accumulated area. Within
-/// triangles, they are placed by a sequence of low discrepancy, whose points are evenly
-/// distributed. The measures have much less noise than with independent random samples.
+/// Implementation note: samples are placed at equal steps of the accumulated area, the sum of the
+/// areas of all previous triangles. Within triangles, samples are placed by a sequence of low
+/// discrepancy, whose points are evenly distributed. The measures have much less noise than with
+/// independent random samples.
 ///
 /// Implementation note: the reference can be distributed over several processes. Each process then
 /// has a part of the reference, and the whole model. The reference consists of all parts in the

@@ -48,7 +48,7 @@ struct TemplateInput
 struct SphericalTemplateResult
 {
   /// #S, registration of each surface with the mean. If MaximumNumberOfRounds is 0, each surface is
-  /// registered with the start surface instead. The start surface is the first reference, see
+  /// registered with the start surface instead. The start surface is one of the input surfaces, see
   /// findSphericalTemplate().
   std::vector<SphericalRegistrationResult> Registrations;
   /// Mean shape on a geodesic sphere, with the center and orientation of the start surface.

@@ -24,8 +24,8 @@ double areaOf(const TriangleMetric& metric);
 /// triangle of zero area.
 double triangleStretch(const TriangleMetric& rest, const TriangleMetric& now);
 
-/// Quadratic model of an energy for a small change u of six unknowns. The energy changes by Slope^T
-/// u + (u^T Stiffness u) / 2. Stiffness is positive semidefinite.
+/// Quadratic model of an energy for a small change u of six unknowns (see MovingTriangle). The
+/// energy changes by Slope^T u + (u^T Stiffness u) / 2. Stiffness is positive semidefinite.
 struct TriangleForm
 {
   Eigen::Matrix<double, 6, 1> Slope;     ///< gradient of the energy

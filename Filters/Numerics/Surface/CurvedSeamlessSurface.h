@@ -1,8 +1,8 @@
 /// Build and evaluate the curved seamless surface (CSS) of a closed mesh, \cite Liou2008 section 3.
-/// A CSS is a function from directions to points of a closed surface without gaps. Each vertex of
-/// the mesh has a position in space and a position on the unit sphere. The mesh on the sphere is
-/// called the network. The mesh in space is called the model. The curved patch over a flat triangle
-/// of the model is called a dome.
+/// A CSS is a function from directions (unit vectors) to points of a closed surface without gaps.
+/// Each vertex of the mesh has a position in space and a position on the unit sphere. The mesh on
+/// the sphere is called the network. The mesh in space is called the model. The curved patch over a
+/// flat triangle of the model is called a dome.
 
 #ifndef ConformalCurvedSeamlessSurface_h
 #define ConformalCurvedSeamlessSurface_h
@@ -59,9 +59,9 @@ struct CurvedSeamlessSurfaceOptions
 /// do not depend on the direction. An Evaluator executes steps 6 to 10 for each direction.
 ///
 /// Implementation note: \cite Liou2008 assumes that the model is about as large as the unit sphere.
-/// The heights of the unit sphere are therefore added without a factor. Here, the model may have
-/// any unit and position. With DomeHeight::Published, the heights are multiplied by the maximum
-/// distance of a vertex from the mean of the vertices.
+/// In the paper, the heights of the unit sphere are therefore added without a factor. Here, the
+/// unit and the position of the model are arbitrary. With DomeHeight::Published, the heights are
+/// multiplied by the maximum distance of a vertex from the mean of the vertices.
 ///
 /// Implementation note: with DomeHeight::Published and Scaled, the domes bulge outward also if the
 /// triangles are clockwise, or if the map to the sphere is mirrored. The outward side is determined

@@ -115,12 +115,13 @@ private:
 /// therefore outside of the sampled surface. Curved triangles through these vertices would bulge
 /// even farther outward.
 ///
-/// Let w_i be the position and n_i the normal of vertex i, and let phi_i be the hat function of the
-/// vertex: the piecewise linear function that is 1 there and 0 at all other vertices. Let g_i be
-/// the integral of phi_i times the displacement from the flat to the curved triangles. The moves
-/// u_i solve M u = (n_i . g_i). The mass matrix M contains the integrals of phi_i phi_j over the
-/// flat triangles. The new position is w_i - share u_i n_i. The moves are the L2 projection of the
-/// displacement onto piecewise linear functions. With share 1, the whole projection is subtracted.
+/// Let w_i be the position and n_i the normal of vertex i. Let phi_i be the hat function of vertex
+/// i: the piecewise linear function that is 1 at this vertex and 0 at all other vertices. Let g_i
+/// be the integral of phi_i times the displacement from the flat to the curved triangles. The moves
+/// u_i solve the linear system M u = b, where b_i = n_i . g_i. The mass matrix M contains the
+/// integrals of phi_i phi_j over the flat triangles. The new position is w_i - share u_i n_i. The
+/// moves are the L2 projection of the displacement onto piecewise linear functions. With share 1,
+/// the whole projection is subtracted.
 ///
 /// To build curved triangles through the moved vertices, use the vertex normals of the original
 /// mesh. In measurements, normals of the moved mesh were less accurate, because moving a vertex

@@ -72,6 +72,7 @@ struct AdaptiveStart : LearnedMesh
 ///
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks
+///   (processes)
 FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOptions& options,
   const AdaptiveStart& start, const Run& run = {});
 }

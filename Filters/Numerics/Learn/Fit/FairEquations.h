@@ -47,7 +47,7 @@ public:
   /// @param[in] normals  vertex normals, #V by 3
   /// @param[in] neighbors  result of vertexNeighbors() for the triangles of the mesh
   /// @throws Aborted
-  /// @post The result does not depend on the number of threads or ranks, bit by bit.
+  /// @post The result does not depend on the number of threads or ranks (processes), bit by bit.
   SampleDistances(const TrainingSamples& samples, const FairSamplesOptions& options,
     const Mesh& mesh, const Points& normals, const Adjacency& neighbors, const Run& run = {});
 

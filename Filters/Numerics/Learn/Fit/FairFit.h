@@ -73,7 +73,7 @@ struct FairFitResult
 /// @param[in,out] mesh  closed mesh in the unit of the samples, fitted by least squares
 /// @throws NumericalFailure if the equations cannot be solved; the mesh is then unchanged
 /// @throws Aborted
-/// @post The result does not depend on the number of threads or ranks, bit by bit.
+/// @post The result does not depend on the number of threads or ranks (processes), bit by bit.
 FairFitResult fairFit(
   const TrainingSamples& samples, const FairFitOptions& options, Mesh& mesh, const Run& run = {});
 }

@@ -59,13 +59,14 @@ struct LeastSquaresFitOptions
 
 /// Fit the vertices of a mesh to samples.
 ///
-/// Each iteration projects every sample to its foot point, the closest point on the surface. Then
-/// the vertices are moved to minimize the energy of SurfaceEquations.h. This energy has terms for
-/// the distances of the samples, and smoothness terms. The weight of the smoothness terms at a
-/// vertex is called the stiffness of the vertex. The stiffness is the smoothness times the mean
-/// mass, see LeastSquaresFitOptions. At vertices without samples nearby, the stiffness is larger,
-/// so that the surface is interpolated there. In the last five iterations, the stiffness is also
-/// larger at folds. At a fold, normals of neighboring triangles differ by more than 90 degrees.
+/// Each iteration selects samples, and projects each of them to its foot point, the closest point
+/// on the surface. Then the vertices are moved to minimize the energy of SurfaceEquations.h. This
+/// energy has terms for the distances of the samples, and smoothness terms. The weight of the
+/// smoothness terms at a vertex is called the stiffness of the vertex. The stiffness is the
+/// smoothness times the mean mass, see LeastSquaresFitOptions. At vertices without samples nearby,
+/// the stiffness is larger, so that the surface is interpolated there. In the last five iterations,
+/// the stiffness is also larger at folds. At a fold, normals of neighboring triangles differ by
+/// more than 90 degrees.
 ///
 /// Outliers are ignored: samples much farther from the surface than neighboring samples
 /// (LocalScale.h).

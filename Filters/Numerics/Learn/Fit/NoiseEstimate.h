@@ -42,7 +42,7 @@ public:
   /// @param[in] square  squared distance, at most 1e27, the limit of the sums
   void add(double square);
 
-  /// Compute the geometric mean of the squares added on all ranks.
+  /// Compute the geometric mean of the squares added on all ranks (processes).
   /// @param[in] count  number of squares added on all ranks
   double mean(const Reduce& reduce, Index count);
 

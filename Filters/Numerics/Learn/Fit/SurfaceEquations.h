@@ -66,8 +66,8 @@ public:
   /// Return vertexTriangles() of the triangles: the triangles around each vertex.
   const Adjacency& around() const { return this->Around; }
 
-  /// Sum the terms of the patterns over all ranks. The terms added by pull() are not summed, so all
-  /// ranks must add equal terms.
+  /// Sum the terms of the patterns over all ranks (processes). The terms added by pull() are not
+  /// summed, so all ranks must add equal terms.
   void reduce(const Reduce& reduce) { this->Sums.reduce(reduce); }
 
   /// Minimize the energy approximately, by up to 25 iterations of conjugate gradients

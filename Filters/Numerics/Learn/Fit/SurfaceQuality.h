@@ -13,7 +13,7 @@
 namespace conformal
 {
 /// Defects of a surface, as fractions in [0, 1]. In fractions of samples, the weight of a sample is
-/// the surface area that it represents. evaluateSurface() describes each defect.
+/// the surface area that it represents. For details, see evaluateSurface().
 struct SurfaceQuality
 {
   double UncoveredFraction = 0.0; ///< fraction of samples that are far from the surface
@@ -45,13 +45,14 @@ struct ToleratedQuality
 ///   limit is 1.5 times the typical distance between neighboring samples, or five standard
 ///   deviations of the noise, whichever is larger. Outliers (samples far from all others) are
 ///   ignored.
-/// - InvertedFraction: At each sample, the surface normal is compared with the normal of the
-///   sample. If the samples have no consistent normals, the surface normals are assigned to the
-///   samples. From these normals, the winding number of the samples is computed (WindingNumbers.h).
-///   The winding number is a function of position. With outward normals, its value is about 1
-///   inside the object, and about 0 outside. Along a correct outward normal, the winding number
-///   decreases. If the winding number does not decrease, the surface is inside out, or two of its
-///   sides are near the same samples.
+/// - InvertedFraction: At each sample, the surface normal is compared with an outward direction. If
+///   the samples have consistent normals, the direction is the normal of the sample. Otherwise, the
+///   direction is found by the winding number, a function of position (WindingNumbers.h). To
+///   compute the winding number, the surface normals are assigned to the samples. With outward
+///   normals, its value is about 1 inside the object, and about 0 outside. In the outward
+///   direction, the winding number therefore decreases. If the winding number does not decrease
+///   along the surface normal, the surface is inside out, or two of its sides are near the same
+///   samples.
 /// - UndersampledFraction: A sample is counted if its distance from the plane through its neighbors
 ///   is above 0.02. Samples are too sparse there for the curvature of the surface.
 /// - LayerDistance: A scan with registration errors can consist of two layers of samples. The
@@ -62,7 +63,7 @@ struct ToleratedQuality
 ///   about two values. Neighboring samples are therefore not counted as layers if they are near a
 ///   common quadratic surface.
 ///
-/// About 10,000 samples are used. All ranks use the same samples.
+/// About 10,000 samples are used. All ranks (processes) use the same samples.
 ///
 /// @param[in] positions  #V by 3, in the samples' unit
 /// @param[in] triangles  #F by 3

@@ -66,8 +66,8 @@ double areaFraction(
   const Points& positions, const Triangles& triangles, const std::vector<bool>& vertices);
 
 /// Compute the unsupported area as a fraction of the surface area. To find the unsupported area,
-/// vertices are marked by bareVertices(), and selected by farFromPatterns(). All ranks return the
-/// same value.
+/// vertices are marked by bareVertices(), and selected by farFromPatterns(). All ranks (processes)
+/// return the same value.
 /// @param[in] masses  #F, total weight of the patterns projected to each triangle
 double unsupportedFraction(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const std::vector<double>& masses);
