@@ -67,8 +67,8 @@ struct AdaptiveStart : LearnedMesh
 /// the other one has a quarter of the vertices. With more noise, the final fit is smoother.
 ///
 /// Large noise is detected earlier, from the distances of samples to the fitted mesh of the first
-/// turn. If the noise is large relative to the edge length, the fit of this turn is repeated. The
-/// repeated fit and later turns have a larger weight of the smoothness terms.
+/// turn. If the noise is large relative to the edge length, the fit of this turn is repeated. In
+/// the repeated fit and in later turns, the weight of the smoothness terms is larger, and constant.
 ///
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks
