@@ -29,7 +29,7 @@ void AcceptSurfaces(vtkInformation* portInformation);
 struct Surfaces
 {
   /// Shallow copies of the surfaces, made by glue::Held() of Glue/Run.h. The copies keep their
-  /// arrays even if an observer changes the input.
+  /// arrays even if an observer (a callback for VTK events) changes the input.
   std::vector<vtkSmartPointer<vtkPolyData>> Held;
   /// For each surface, the name of its block in composite data; "" if the surface is not a block,
   /// or the block has no name.

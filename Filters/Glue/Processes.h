@@ -97,7 +97,8 @@ void RequestOwnPieces(
 conformal::MappedMesh GatherMesh(const conformal::Reduce& reduce, const conformal::MappedMesh& own);
 
 /// Return on all ranks the mesh of the first rank whose surface has points. The mesh includes the
-/// map of the surface to the sphere. The frame must be equal on all ranks.
+/// map of the surface to the sphere. The coordinate frame (unit of the coordinates) must be equal
+/// on all ranks.
 conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
   const conformal::CoordinateFrame& frame, Processes& processes);
 

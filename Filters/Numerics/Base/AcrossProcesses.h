@@ -98,9 +98,9 @@ inline std::vector<double> maximum(const Reduce& reduce, const std::vector<doubl
 }
 
 /// Update an array on one rank after another, in rank order. Each rank continues from the values
-/// that the previous rank computed. All ranks receive the values of the last rank. Numbers are thus
-/// added in the same sequence as in a single process, and sums have the same bits. This function is
-/// slow, since the array is sent once per rank.
+/// that the previous rank computed. All ranks receive the values of the last rank. If `goOn` adds
+/// numbers, the sums therefore have the same bits as in a single process. This function is slow,
+/// since the array is sent once per rank.
 /// @param[in,out] numbers  array of `count` values; equal on all ranks before the call, and again
 ///   after the call
 /// @param[in] goOn         function that updates `numbers` with the data of this rank

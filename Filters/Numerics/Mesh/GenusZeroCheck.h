@@ -82,9 +82,9 @@ double signedVolume(const PointView& points, const Triangles& triangles);
 double surfaceArea(const PointView& points, const Triangles& triangles);
 
 /// Weld points of boundary edges: among points with equal coordinates, use only the point with the
-/// smallest id. A file that stores three separate points for each triangle needs this step. Points
-/// that are on no boundary edge are not welded. Closed surfaces that touch each other thus stay
-/// separate.
+/// smallest id. Call this function for triangles from a file that stores three separate points for
+/// each triangle. Points that are on no boundary edge are not welded. Closed surfaces that touch
+/// each other thus stay separate.
 ///
 /// @param[in,out] triangles  triangles in which the ids of welded points are replaced; no triangle
 ///   is dropped

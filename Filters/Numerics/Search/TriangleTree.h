@@ -27,7 +27,7 @@ struct FootPoint
 FootPoint closestPointOfTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
 
-/// Tree that finds exact closest points of a mesh whose vertices may move.
+/// Tree that finds exact closest points of a mesh. The vertices of the mesh can move, see refit().
 ///
 /// The cost of a query is about logarithmic in the number of triangles. Several threads may query
 /// concurrently.
