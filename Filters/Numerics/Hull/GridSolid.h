@@ -1,8 +1,8 @@
 /// Change sets of grid nodes to solids: connected sets without handles. The method is an own
 /// construction, not from a publication. The set is the inside of a point cloud. Within the set, a
 /// ball of nodes grows from the node that is farthest from the points. A node is added only if the
-/// topology of the ball is preserved. The ball enters each handle from both ends. Where both ends
-/// meet, no node can be added, and the handle is cut.
+/// topology of the ball is preserved. The ball enters each handle from both ends. Where the two
+/// parts of the ball meet in the handle, no node can be added, and the handle is cut.
 
 #ifndef ConformalGridSolid_h
 #define ConformalGridSolid_h
@@ -34,9 +34,10 @@ enum class HandleCut
 
 /// Cut the handles of a solid, a set of nodes, until no handle is left.
 ///
-/// A ball grows within the solid, beginning with the deepest node of the solid. Only simple nodes
-/// are added (isSimpleNode()), since simple nodes preserve the topology. The nodes that cannot be
-/// added form the cut, and are removed from the solid.
+/// The depth of a node is its distance to the data, or another value that increases toward the
+/// inside. A ball grows within the solid, beginning with the deepest node of the solid. Only simple
+/// nodes are added (isSimpleNode()), since simple nodes preserve the topology. The nodes that
+/// cannot be added form the cut, and are removed from the solid.
 ///
 /// Enclosed nodes (nodes deeper than the offset) are added first, beginning with the deepest one.
 /// The other nodes follow. With HandleCut::HalfWay, the other nodes are sorted by the length of the

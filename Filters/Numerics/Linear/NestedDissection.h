@@ -15,7 +15,8 @@ namespace conformal
 /// parts, \cite George1973. A set of unknowns is divided recursively into two halves and a
 /// separator. The halves are not connected to each other. The separator follows both halves in the
 /// elimination order. Each separator is a part. Each small set that is not divided further is also
-/// a part, called a leaf.
+/// a part, called a leaf. The parts form a tree: the children of a separator are the last parts of
+/// its two halves.
 struct NestedDissection
 {
   struct Part

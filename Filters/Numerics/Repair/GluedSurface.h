@@ -68,11 +68,13 @@ struct GluingReport
 /// Glue triangles to form manifold surfaces, and keep the largest surface.
 ///
 /// 1. Remove triangles with repeated points, and duplicates of earlier triangles.
-/// 2. Glue the two sides of each edge to each other. If an edge has more than two sides, glue pairs
-///    of consistent orientation. The pair with the smallest angle between the normals of its
-///    triangles is glued first. If two bodies touch at an edge, this rule separates the bodies.
+/// 2. At each edge of two triangles, glue the sides of the two triangles to each other. If more
+///    than two triangles share an edge, glue their sides in pairs. Pairs of consistent orientation
+///    are glued first. Among these pairs, the pair with the smallest angle between the normals of
+///    its triangles is first. If two bodies touch at an edge, this order separates the bodies.
 ///    Sides without a partner form the boundary.
-/// 3. In each connected part, orient all triangles consistently, as the majority of its triangles.
+/// 3. In each connected part, orient all triangles consistently. Keep the orientation that most
+///    triangles of the part have in the input.
 /// 4. Keep the connected part of largest area.
 ///
 /// Vertices and triangles have the order of the input. If a point has several vertices, one for

@@ -44,8 +44,9 @@ enum class SeamMode
 /// Let i and j be the ends of the edge, and m the barycentric coordinates before the slide. Then
 /// S = m_i + m_j is 1 on the edge and 0 at the opposite corner. The position parallel to the edge
 /// is b = m_j / S. Let d = 1 - S and b' = (b + d) / (1 + 2 d): the position b, moved toward the
-/// middle of the edge. Let t be the point of the edge that the conformal map, without slides, maps
-/// to b'. Let o(x) = x / (1 - x) be the ratio in which x divides an edge. The slide replaces b by
+/// middle of the edge. In the formula below, t is the point of the network edge that the conformal
+/// map, without slides, maps to b'. Let o(x) = x / (1 - x) be the ratio in which x divides an edge.
+/// The slide replaces b by
 ///     (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
 ///
 /// A slide does not move the points of the two other edges. Between the ends of these edges, b' is
