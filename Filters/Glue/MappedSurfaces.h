@@ -47,8 +47,8 @@ struct Surfaces
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
-/// Append the surfaces of all connections of a port. Of composite data, all blocks except empty
-/// ones are appended, in their order.
+/// Append the surfaces of all connections of a port. From composite data, append all blocks in
+/// sequence, except empty blocks.
 /// @throws std::invalid_argument if a data object or block is not a vtkPolyData
 void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
 

@@ -26,9 +26,9 @@ namespace glue
 /// running, aborted or failed. Therefore, no process waits for another process that has stopped.
 ///
 /// A process that stops between two sums sends a signal to the other processes (ProcessSignals.h).
-/// The other processes exchange their states at their next progress report. While processes wait
-/// for each other, progress observers are called. Without MPI, there are no signals, and the other
-/// processes continue to the next sum before they stop.
+/// Each of the other processes then exchanges states at its next progress report. While processes
+/// wait for each other, progress observers are called. Without MPI, there are no signals. The other
+/// processes then stop only at the next sum.
 class Processes
 {
 public:

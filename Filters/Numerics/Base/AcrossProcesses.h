@@ -18,7 +18,7 @@
 namespace conformal
 {
 /// Concatenate the rows of all ranks in rank order, on every rank.
-/// @param[in] own  rows of this rank. The number of rows may differ between ranks. Rows are sent as
+/// @param[in] own  rows of this rank. The number of rows can differ between ranks. Rows are sent as
 ///   doubles. Doubles represent integers exactly up to a magnitude of 2^53.
 template <typename Matrix>
 Matrix gatherRows(const Reduce& reduce, const Matrix& own)

@@ -50,7 +50,7 @@ CoordinateFrame frameOf(
 Vector3 unitVector(const Vector3& v);
 
 /// Normalize each row of a matrix in place, without overflow or underflow.
-/// @return number of rows that cannot be normalized, because they are zero or not finite
+/// @return number of rows that are zero or not finite, and therefore cannot be normalized
 Index normalizeRows(Points& vectors);
 }
 

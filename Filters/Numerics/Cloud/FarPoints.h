@@ -1,7 +1,7 @@
 /// Detect the far points of a cloud: a few points that are so far from all others that the bounding
 /// box of the cloud would be much too large. The method is our own construction: it finds gaps in
 /// the distances of points from the median. Distances between neighboring points are not used,
-/// because they are small if many outliers have one position.
+/// because these distances are small if many outliers have one position.
 
 #ifndef ConformalFarPoints_h
 #define ConformalFarPoints_h
@@ -69,7 +69,8 @@ struct FarPoints
 /// no far points.
 ///
 /// @param[in] points  #P by 3 coordinates, in any unit. Points that are not finite are ignored.
-/// @param[in] skip    function that returns true for points that are not examined; may be empty
+/// @param[in] skip    function that returns true for points that are not examined; empty to examine
+///   all points
 /// @param[in] reduce  communication between ranks; each rank passes its part of the cloud
 /// @throws Aborted
 /// @post the result does not depend on the number of threads or ranks

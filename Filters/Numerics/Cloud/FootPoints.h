@@ -18,7 +18,7 @@ namespace conformal
 /// Function that finds the point of a surface closest to a sample.
 /// @param[in] id    id of the sample
 /// @param[in] x     position of the sample
-/// @param[in] hint  id of a triangle that may be near x, which reduces the cost; -1 for none
+/// @param[in] hint  id of a triangle that is probably near x, which reduces the cost; -1 for none
 using ClosestPoint = std::function<FootPoint(Index id, const Vector3& x, int hint)>;
 
 /// Call body(id, x, foot) serially for the samples idOf(0), idOf(1), ..., idOf(count - 1). Here, x

@@ -1,5 +1,5 @@
-/// Detect outliers: points off the surface that is formed by the points around them, and points far
-/// from all others. The method is our own construction: it measures distances from planes fitted to
+/// Detect outliers. An outlier is off the surface formed by neighboring points, or far from all
+/// other points. The method is our own construction: it measures distances from planes fitted to
 /// eight neighbors. The method requires no normals of the points, and no length that depends on the
 /// cloud.
 

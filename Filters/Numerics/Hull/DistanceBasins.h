@@ -1,6 +1,6 @@
-/// Classify grid nodes as inside or outside of a point cloud that may have holes. Each local
-/// maximum of the distance to the points defines a region, its basin. Basins are merged by their
-/// persistence \cite Edelsbrunner2002, here the ratio of two distances to the points: at the
+/// Classify grid nodes as inside or outside of a point cloud, even if the cloud has holes. Each
+/// local maximum of the distance to the points defines a region, its basin. Basins are merged by
+/// their persistence \cite Edelsbrunner2002, here the ratio of two distances to the points: at the
 /// maximum, and at the border to the next basin.
 
 #ifndef ConformalDistanceBasins_h

@@ -24,8 +24,8 @@ Index keepLargestPiece(
   const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Position of the cut through a handle. A node is called enclosed if its distance to the data, the
-/// points of a cloud, exceeds a given offset. This option affects only handles in which no enclosed
-/// nodes lead from one end to the other.
+/// points of a cloud, exceeds a given offset. If enclosed nodes lead through a handle from one end
+/// to the other, this choice has no effect on the cut.
 enum class HandleCut
 {
   HalfWay,     ///< cut farthest from the enclosed nodes: midway between limbs (thin parts)
@@ -41,11 +41,11 @@ enum class HandleCut
 ///
 /// Enclosed nodes (nodes deeper than the offset) are added first, beginning with the deepest one.
 /// The other nodes follow. With HandleCut::HalfWay, the other nodes are sorted by the length of the
-/// path from the enclosed nodes, the shortest first. With HandleCut::FarFromData, they are sorted
-/// by distance to the data, the smallest first. A handle is cut at the nodes that are last in this
-/// sequence. If the handle has enclosed nodes along its whole length, the cut is thus where the
-/// handle is thinnest. If the distance of two limbs is less than twice the offset, the solid joins
-/// the limbs. HandleCut::HalfWay then separates the limbs by a cut midway between them.
+/// path from the enclosed nodes, the shortest first. With HandleCut::FarFromData, the other nodes
+/// are sorted by distance to the data, the smallest first. A handle is cut at the nodes that are
+/// last in this sequence. If the handle has enclosed nodes along its whole length, the cut is thus
+/// where the handle is thinnest. If the distance of two limbs is less than twice the offset, the
+/// solid joins the limbs. HandleCut::HalfWay then separates the limbs by a cut midway between them.
 ///
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and
 ///   have no cavities

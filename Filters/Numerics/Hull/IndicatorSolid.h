@@ -49,7 +49,7 @@ struct IndicatorSolid
 /// 4. Join components, fill cavities and remove handles (SolidRepair.h). The solid then has the
 ///    topology of a ball.
 ///
-/// @param[in] samples  samples of affine rank 3: they do not lie in one plane
+/// @param[in] samples  samples of affine rank 3: samples that do not lie in one plane
 /// @param[in] spacing  grid spacing, divided by the largest distance of a sample from the origin
 /// @return the solid; IndicatorSolid::Inside is empty if there are too few points or no inside
 ///   nodes

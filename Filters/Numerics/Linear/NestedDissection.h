@@ -35,8 +35,8 @@ struct NestedDissection
 
 /// Compute an elimination order by recursive bisection. A set of unknowns is divided at the median
 /// position along the longest side of its bounding box. The separator consists of all unknowns in
-/// one half that have neighbors in the other half. If both halves are not connected, the separator
-/// is a single unknown.
+/// one half that have neighbors in the other half. If the halves are not connected to each other,
+/// the separator is a single unknown.
 /// @param[in] graph   neighbors of each unknown: a symmetric relation; no unknown is its own
 ///   neighbor
 /// @param[in] places  position of each unknown in space

@@ -46,8 +46,8 @@ struct GenusZeroReport
   {
     return this->NonManifoldEdges.empty() && this->NonManifoldVertices.empty();
   }
-  /// Test whether the mesh is closed, manifold and connected, and has Euler number 2. The triangles
-  /// may be oriented inconsistently, see InconsistentEdges.
+  /// Test whether the mesh is closed, manifold and connected, and has Euler number 2. The result
+  /// can be true for inconsistently oriented triangles, see InconsistentEdges.
   bool isGenusZero() const
   {
     return this->closed() && this->manifold() && this->NumberOfComponents == 1 &&

@@ -32,14 +32,14 @@ ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
   QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Run& run = {});
 
 /// Build a progressive mesh from connectivity alone. Use this function if the positions of a
-/// surface are unusable. Vertices are removed in rounds. No two vertices that are removed in a
-/// round share an edge. Vertices with the fewest neighbors are removed first,
+/// surface are unusable. Vertices are removed in rounds. Vertices that are removed in the same
+/// round share no edges. Vertices with the fewest neighbors are removed first,
 /// \cite Kirkpatrick1983. The number of rounds is logarithmic in the number of vertices.
 ProgressiveMesh makeProgressiveMesh(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
-/// Remove given vertices of a mesh in rounds. No two vertices that are removed in a round share an
-/// edge.
+/// Remove given vertices of a mesh in rounds. Vertices that are removed in the same round share no
+/// edges.
 /// @param[in] vertices  ids of the vertices to remove. A vertex stays if each of its collapses
 ///   would change the topology.
 /// @param[in] maximum   maximum number of vertices to remove. At least four vertices of triangles

@@ -127,9 +127,9 @@ public:
 
   /// Map a point from the network to the model.
   /// @param[in]  barycentric  barycentric coordinates of p', >= 0, with the sum 1
-  /// @param[out] derivative   derivative of the returned point; may be null. Column k is the
-  ///   partial derivative with respect to barycentric coordinate k. Multiply the matrix only by
-  ///   changes of the three coordinates whose sum is 0. On an edge, the map of this triangle is
+  /// @param[out] derivative   derivative of the returned point, or null. Column k is the partial
+  ///   derivative with respect to barycentric coordinate k. Multiply the matrix only by a change of
+  ///   the coordinates: three numbers with the sum 0. On an edge, the map of this triangle is
   ///   differentiated, not the map of its neighbor. At a corner, where no derivative exists, the
   ///   derivative at a nearby point is returned.
   /// @post in mode EdgeMatched, both triangles of an edge map a point of the edge to positions with
