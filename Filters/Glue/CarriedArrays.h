@@ -22,8 +22,8 @@ namespace glue
 /// mean has the type of the array. In integer arrays of several components, such as colors, the
 /// mean is rounded.
 ///
-/// Arrays that define positions or ids are skipped: "SpherePosition", active normals and texture
-/// coordinates, ghosts, global ids and pedigree ids.
+/// Arrays that define positions or ids are skipped: "SpherePosition" (the map to the sphere),
+/// active normals and texture coordinates, ghost arrays, global ids and pedigree ids.
 ///
 /// Source points with a number that is not finite are ignored. If all source points of an output
 /// point are ignored, the output point gets 0. A warning gives the number of these output points,
@@ -36,16 +36,16 @@ namespace glue
 void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces,
   const conformal::ResampleWeights& weights, vtkPointData* output, const conformal::Run& run = {});
 
-/// Combine one matrix of interpolation weights per surface in a single matrix, as an argument of
-/// CarryPointArrays().
+/// Combine the interpolation weights of several surfaces in a single matrix. The matrix is an
+/// argument of CarryPointArrays().
 /// @param[in] weights  #S matrices, one for each surface: weights of the surface's points for each
 ///   output point
 /// @param[in] shares   #S, weight of each surface; the sum of these weights is 1
 conformal::ResampleWeights BlendedWeights(const std::vector<conformal::ResampleWeights>& weights,
   const std::vector<vtkPolyData*>& surfaces, const std::vector<double>& shares);
 
-/// Make a point array of `target` its active scalars: the array that is named like the active
-/// scalars of `source`.
+/// Set the active scalars of `target`: the point array that has the same name as the active scalars
+/// of `source`.
 void ActivateScalarsOf(vtkPolyData* source, vtkPolyData* target);
 }
 

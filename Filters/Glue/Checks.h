@@ -12,8 +12,8 @@ class vtkPolyData;
 namespace glue
 {
 /// Check the data on every connection of every input port by RequireConsistentData(). Call this
-/// function in RequestData. In earlier requests, the inputs may still contain data of the previous
-/// execution.
+/// function in RequestData. In the requests that precede RequestData, the inputs can still contain
+/// data of the previous execution.
 /// @throws std::invalid_argument if data are inconsistent. The message contains the port, the
 ///   inconsistency, and how to correct the data.
 void RequireConsistentInputs(vtkAlgorithm* self);

@@ -25,8 +25,8 @@ struct CloudInput
   /// array of the input, or to Copy.
   conformal::PointView View;
   conformal::FarPoints Far; ///< points far from all others
-  /// Function that returns whether to skip a point, because it is a ghost point or a far point. May
-  /// be empty.
+  /// Function that returns whether to skip a point, because it is a ghost point or a far point. If
+  /// there are no points to skip, the function is empty.
   std::function<bool(conformal::Index)> Skip;
   conformal::Points Copy; ///< copy of the points, if the input has neither floats nor doubles
 };
@@ -39,7 +39,8 @@ struct CloudInput
 ///   finite priority.
 /// @param[in] surface     second data set, or null. The frame is computed from the points of the
 ///   cloud and of this data set.
-/// @param[in] reduce      sum over all ranks (processes), each of which has a part of the points
+/// @param[in] reduce      object that adds integers over all ranks (processes); each rank has a
+///   part of the points
 /// @param[out] cloud      default-constructed object to fill. Do not move the object afterward,
 ///   since View and Skip may refer to Copy.
 void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkPointSet* surface,

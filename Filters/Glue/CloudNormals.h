@@ -1,4 +1,4 @@
-// Find the normals of a point cloud in its input data set.
+// Find the normals of a point cloud in the data set that contains the cloud.
 #ifndef GlueCloudNormals_h
 #define GlueCloudNormals_h
 
@@ -21,20 +21,24 @@ struct CloudNormals
   conformal::Points Copy;
 };
 
-/// Find the normals of a cloud. If most points belong to polygons, normals are computed from
-/// consistently oriented copies of the polygons. Otherwise, the normals are the active normals of
-/// the points. If a rank (process) has points without active normals, the cloud has no normals.
-/// @param[in] needed    what to do if a cell contains an invalid point id. If true, throw an
-///   exception. If false, ignore all polygons.
+/// Find the normals of a cloud. Each rank (process) has a part of the points. The first rule that
+/// applies is used:
+/// - If most points of all ranks belong to polygons, normals are computed from the polygons, after
+///   all polygons are oriented consistently.
+/// - If every rank with points has active normals, the normals are these active normals.
+/// - Otherwise, the cloud has no normals.
+///
+/// @param[in] needed    whether normals are required. The value matters if a cell of a surface
+///   contains an invalid point id. If true, throw an exception. If false, ignore all polygons.
 /// @param[out] normals  object to fill. Do not move the object afterward, since View may refer to
 ///   Copy.
 /// @throws std::invalid_argument if `needed` is true and a cell contains an invalid point id
 void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::Reduce& reduce, bool needed, CloudNormals& normals);
 
-/// Find the normals of a cloud, and pass them to the samples, the points from which a mesh is
-/// learned. Normals are needed to compute the hull, a closed surface around the points. If the hull
-/// method is Distance, which uses no normals, do nothing.
+/// Find the normals of a cloud, and set them in `samples`, the points from which a mesh is learned.
+/// Normals are needed to compute the hull, a closed surface around the points. If the hull method
+/// is Distance, which uses no normals, do nothing.
 /// @param[out] normals  memory for the normals; must outlive the samples
 /// @throws std::invalid_argument if the hull method is WindingNumbers and a cell contains an
 ///   invalid point id

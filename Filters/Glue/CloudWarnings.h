@@ -1,4 +1,4 @@
-// Issue warnings about a point cloud that are the same in several filters. The calling filter
+// Issue warnings about a point cloud. Several filters use the same warnings. The calling filter
 // decides whether a warning is needed.
 #ifndef GlueCloudWarnings_h
 #define GlueCloudWarnings_h
@@ -14,7 +14,7 @@ void WarnOfNonFinitePoints(vtkObject* self, conformal::Index count);
 /// Warn that handles of the hull (a closed surface around the points) were cut open.
 /// @param[in] cutFraction  area of the cuts, as a fraction of the hull's area
 void WarnOfCutHandles(vtkObject* self, double cutFraction);
-/// Warn that the normals of the points are not used, because they contradict each other.
+/// Warn that the normals of the points are not used, because the normals contradict each other.
 void WarnOfUnusedNormals(vtkObject* self);
 /// Warn that some points are outside of the hull and far from it: outliers, or separate parts.
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);

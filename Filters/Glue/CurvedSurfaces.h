@@ -1,6 +1,6 @@
 /// Build a curved seamless surface from a triangle mesh with a map to the sphere. A curved patch,
-/// called a dome, replaces each flat triangle of the mesh. Seamless means that neighboring domes
-/// have no gap between them. Curved seamless surfaces are used by vtkCurvedSeamlessMap and by the
+/// called a dome, replaces each flat triangle of the mesh. Seamless means that there is no gap
+/// between neighboring domes. Curved seamless surfaces are used by vtkCurvedSeamlessMap and by the
 /// filter vtkCurvedSeamlessSurface.
 #ifndef GlueCurvedSurfaces_h
 #define GlueCurvedSurfaces_h

@@ -12,9 +12,9 @@ class vtkTable;
 
 namespace glue
 {
-/// Functions on the sphere as sums of spherical harmonics: the coefficients of the sums. Each row
-/// belongs to one spherical harmonic. The rows are in the order of harmonicIndex() in
-/// Harmonics/SphericalHarmonics.h.
+/// Coefficients of functions on the sphere. Each function is a weighted sum of spherical harmonics,
+/// and the weights are its coefficients. Each row belongs to one spherical harmonic. The rows are
+/// in the order of harmonicIndex() in Harmonics/SphericalHarmonics.h.
 struct Harmonics
 {
   /// Three columns of coefficients of positions (x, y, z), then columns of further functions.
@@ -27,7 +27,7 @@ struct Harmonics
 /// functions (double).
 void ToTable(const Harmonics& harmonics, vtkTable* table);
 
-/// Convert a table with the columns of ToTable() to coefficients. The rows may have any order.
+/// Convert a table with the columns of ToTable() to coefficients. The rows can be in any order.
 /// Columns of further functions must have a name and contain numbers of 1 component. All other
 /// columns are skipped.
 /// @throws std::invalid_argument if a column or row is missing, repeated or not finite. The message

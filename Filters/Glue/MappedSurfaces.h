@@ -29,7 +29,7 @@ void AcceptSurfaces(vtkInformation* portInformation);
 struct Surfaces
 {
   /// Shallow copies of the surfaces, made by glue::Held() of Glue/Run.h. The copies keep their
-  /// arrays even if an observer changes the input.
+  /// arrays even if an observer (a callback for VTK events) changes the input.
   std::vector<vtkSmartPointer<vtkPolyData>> Held;
   /// For each surface, the name of its block in composite data; "" if the surface is not a block,
   /// or the block has no name.
@@ -47,8 +47,8 @@ struct Surfaces
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
-/// Append the surfaces of all connections of a port. Of composite data, all blocks except empty
-/// ones are appended, in their order.
+/// Append the surfaces of all connections of a port. From composite data, append all blocks in
+/// sequence, except empty blocks.
 /// @throws std::invalid_argument if a data object or block is not a vtkPolyData
 void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
 

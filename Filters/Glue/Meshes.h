@@ -48,8 +48,8 @@ struct ClosedMesh : conformal::Mesh
 
 /// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired. One
 /// warning is issued for each kind of repair:
-/// - Coincident points of open edges are merged. In a polygon soup (polygons that share no points),
-///   all edges are open.
+/// - Coincident points of open edges (edges of only one triangle) are merged. In a polygon soup
+///   (polygons that share no points), all edges are open.
 /// - Triangles with a repeated point are removed.
 /// - Triangles are oriented consistently, so that the majority keeps its orientation.
 /// - Isolated points are removed.

@@ -30,7 +30,8 @@ inline const char* SpherePositionName()
 
 /// Compute a common coordinate frame for the points of several data sets. Null pointers are
 /// ignored.
-/// @param[in] reduce  sum over all ranks (processes); needed if each rank has a part of the points
+/// @param[in] reduce  object that adds integers over all ranks (processes); needed if each rank has
+///   a part of the points
 conformal::CoordinateFrame FrameOf(
   const std::vector<vtkPointSet*>& data, const conformal::Reduce& reduce = {});
 
@@ -66,8 +67,8 @@ conformal::PointView ViewVectors(vtkDataArray* array, const char* what, conforma
 /// components, return false.
 bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 
-/// Copy the map of a surface to the sphere: the point array "SpherePosition". The copied vectors
-/// are normalized to unit length.
+/// Return a copy of the point array "SpherePosition", which maps the surface to the sphere. The
+/// copied vectors are normalized to unit length.
 /// @throws std::invalid_argument if the point array "SpherePosition" is missing, or does not have 3
 ///   components
 /// @throws std::invalid_argument if a vector is zero or not finite

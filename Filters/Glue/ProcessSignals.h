@@ -1,5 +1,5 @@
-// Signal to all processes that run a filter together that they must stop. Signals are sent and
-// received without blocking a process.
+// Signal all processes that run a filter together to stop. Signals are sent and received without
+// blocking a process.
 #ifndef GlueProcessSignals_h
 #define GlueProcessSignals_h
 
@@ -11,7 +11,7 @@ class vtkMultiProcessController;
 namespace glue
 {
 /// Signals by which a process informs all other processes that they must stop. The other processes
-/// may be computing or waiting. Signals require MPI, since only MPI can test for a message without
+/// can be computing or waiting. Signals require MPI, since only MPI can test for a message without
 /// blocking. In three cases, available() returns false: the controller does not use MPI, there is a
 /// single process, or VTK is built without MPI. If available() returns false, do not call any other
 /// function.
@@ -29,8 +29,8 @@ public:
   /// Signal all other processes to stop, unless a stop was already signaled. Return immediately.
   void askToStop();
 
-  /// Return whether another process signaled to stop. The function returns immediately. Messages
-  /// are tested only every 5 milliseconds. Frequent calls therefore cost little.
+  /// Return whether another process signaled to stop. The function returns immediately. Between two
+  /// tests for messages, at least 5 milliseconds pass. Frequent calls therefore cost little.
   bool heardStop();
 
   /// Wait until all processes have called this function. While waiting, call `idle` repeatedly. The

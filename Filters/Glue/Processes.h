@@ -26,9 +26,9 @@ namespace glue
 /// running, aborted or failed. Therefore, no process waits for another process that has stopped.
 ///
 /// A process that stops between two sums sends a signal to the other processes (ProcessSignals.h).
-/// The other processes exchange their states at their next progress report. While processes wait
-/// for each other, progress observers are called. Without MPI, there are no signals, and the other
-/// processes continue to the next sum before they stop.
+/// Each of the other processes then exchanges states at its next progress report. While processes
+/// wait for each other, progress observers are called. Without MPI, there are no signals. The other
+/// processes then stop only at the next sum.
 class Processes
 {
 public:
@@ -97,7 +97,8 @@ void RequestOwnPieces(
 conformal::MappedMesh GatherMesh(const conformal::Reduce& reduce, const conformal::MappedMesh& own);
 
 /// Return on all ranks the mesh of the first rank whose surface has points. The mesh includes the
-/// map of the surface to the sphere. The frame must be equal on all ranks.
+/// map of the surface to the sphere. The coordinate frame (unit of the coordinates) must be equal
+/// on all ranks.
 conformal::MappedMesh ToSharedMesh(vtkAlgorithm* self, vtkPolyData* mesh,
   const conformal::CoordinateFrame& frame, Processes& processes);
 

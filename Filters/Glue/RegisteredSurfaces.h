@@ -1,6 +1,7 @@
 // Convert surfaces of VTK for registration, and write the results of registration to surfaces. Each
-// surface has a map to the sphere. Registration deforms the map of the moving surface. Afterwards,
-// corresponding points of the moving and the fixed surface have about the same sphere positions.
+// surface has a map to the sphere. Registration deforms the map of one surface, the moving surface.
+// The map of the other surface, the fixed surface, does not change. Afterward, corresponding points
+// of the two surfaces have about the same sphere positions.
 #ifndef GlueRegisteredSurfaces_h
 #define GlueRegisteredSurfaces_h
 
@@ -19,8 +20,8 @@ class vtkPolyData;
 
 namespace glue
 {
-/// Names and weights of features. A feature is a point array by which registration matches both
-/// surfaces, such as the curvature.
+/// Names and weights of features. A feature is a point array, such as the curvature. Registration
+/// matches points that have similar features.
 using FeatureList = std::vector<std::pair<std::string, double>>;
 
 /// Surface converted to a type of the numerical core (Filters/Numerics). Each vertex was made from

@@ -1,6 +1,6 @@
 /// Run the numerical core (Filters/Numerics) in a filter. The functions below provide threads,
-/// progress reports and error reports. Other functions protect inputs against changes during a run
-/// (an execution of the filter).
+/// progress reports and error reports. One function, Held(), protects inputs against changes during
+/// a run (an execution of the filter).
 #ifndef GlueRun_h
 #define GlueRun_h
 
@@ -18,10 +18,11 @@ class vtkPointSet;
 
 namespace glue
 {
-/// Return a shallow copy of a data object, or null for null. A progress observer may empty the
-/// object or replace its arrays during a run. The copy keeps the original arrays.
+/// Return a shallow copy of a data object, or null for null. During a run, a progress observer (a
+/// callback for VTK events) can empty the object or replace its arrays. The copy keeps the original
+/// arrays.
 ///
-/// Observers may also change the output of the filter. Therefore, build results in local objects,
+/// Observers can also change the output of the filter. Therefore, build results in local objects,
 /// and copy complete results to the output.
 template <typename Data>
 vtkSmartPointer<Data> Held(Data* data)

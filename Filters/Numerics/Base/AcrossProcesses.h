@@ -18,7 +18,7 @@
 namespace conformal
 {
 /// Concatenate the rows of all ranks in rank order, on every rank.
-/// @param[in] own  rows of this rank. The number of rows may differ between ranks. Rows are sent as
+/// @param[in] own  rows of this rank. The number of rows can differ between ranks. Rows are sent as
 ///   doubles. Doubles represent integers exactly up to a magnitude of 2^53.
 template <typename Matrix>
 Matrix gatherRows(const Reduce& reduce, const Matrix& own)
@@ -98,9 +98,9 @@ inline std::vector<double> maximum(const Reduce& reduce, const std::vector<doubl
 }
 
 /// Update an array on one rank after another, in rank order. Each rank continues from the values
-/// that the previous rank computed. All ranks receive the values of the last rank. Numbers are thus
-/// added in the same sequence as in a single process, and sums have the same bits. This function is
-/// slow, since the array is sent once per rank.
+/// that the previous rank computed. All ranks receive the values of the last rank. If `goOn` adds
+/// numbers, the sums therefore have the same bits as in a single process. This function is slow,
+/// since the array is sent once per rank.
 /// @param[in,out] numbers  array of `count` values; equal on all ranks before the call, and again
 ///   after the call
 /// @param[in] goOn         function that updates `numbers` with the data of this rank

@@ -15,15 +15,15 @@
 namespace conformal
 {
 /// Divide the point x by a unit of length. If a coordinate of x / unit exceeds 2^26 in magnitude,
-/// return another point: the point at distance 2^26 from the origin in the direction of x. The
-/// replacement hardly matters for closest points: on a surface of size about 1, both points have
-/// the same closest point, up to rounding.
+/// return another point: the point at distance 2^26 from the origin in the direction of x. On a
+/// surface of size about 1, x / unit and its replacement have the same closest point, up to
+/// rounding.
 Vector3 inUnits(const Vector3& x, double unit);
 
 /// Unit of length in which coordinates are near 1. The unit is a power of two, so that division and
 /// multiplication by the unit do not round. If the input is multiplied by a power of two, the
-/// scaled coordinates do not change. An exception are subnormal coordinates (below 2^-1022), which
-/// have fewer digits.
+/// scaled coordinates do not change. Subnormal coordinates (below 2^-1022) are an exception, since
+/// they have fewer digits.
 struct CoordinateFrame
 {
   double Unit = 1.0; ///< unit of length, a power of two
@@ -50,7 +50,7 @@ CoordinateFrame frameOf(
 Vector3 unitVector(const Vector3& v);
 
 /// Normalize each row of a matrix in place, without overflow or underflow.
-/// @return number of rows that cannot be normalized, because they are zero or not finite
+/// @return number of rows that are zero or not finite, and therefore cannot be normalized
 Index normalizeRows(Points& vectors);
 }
 

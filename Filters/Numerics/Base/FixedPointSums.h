@@ -1,6 +1,6 @@
 /// Add real numbers as fixed-point numbers, so that sums do not depend on the order of addition.
 /// Fixed-point numbers are stored as integers, whose addition is associative. Threads and ranks
-/// (MPI processes) may thus add in any order. Sums by fixed-point numbers are our own construction,
+/// (MPI processes) can thus add in any order. Sums by fixed-point numbers are our own construction,
 /// not from a publication.
 
 #ifndef ConformalFixedPointSums_h

@@ -11,8 +11,7 @@
 namespace conformal
 {
 /// Ascending list of the ids in [0, size) that pass a test. Storage is one bit per tested id. An
-/// array of ids would need 64 bits per listed id. For ten million points, this would be too much
-/// memory.
+/// array of ids would need 64 bits per listed id, too much memory for ten million points.
 class KeptIds
 {
 public:

@@ -1,4 +1,5 @@
-/// Run computations on several threads, and report progress to a callback that may abort.
+/// Run computations on several threads, and report progress to a callback that can abort the
+/// computation.
 ///
 /// Results do not depend on the number of threads. Loops are divided into blocks of fixed size.
 /// Each block writes only the results of its indices.

@@ -20,7 +20,7 @@ namespace conformal
 ///     const TriangleTree tree(..., steps.next());
 ///     forBlocksReporting(steps.next(), ...);
 ///
-/// Callers pass measured times of the steps as constant shares. The times were measured for a
+/// Callers pass constants as shares: measured times of the steps. The times were measured for a
 /// surface of 100,000 points, on one core in a release build (2026). Only the ratios of the shares
 /// matter. Progress never decreases and is reported often. However, progress does not predict the
 /// remaining time, since other surfaces have other ratios.

@@ -14,12 +14,13 @@ namespace conformal
 struct UnitBox
 {
   Vector3 Lower = Vector3::Zero();
-  /// Half of the longest side of the bounding box; the whole length may overflow
+  /// Half of the longest side of the bounding box. The half is stored because the whole length
+  /// could overflow.
   double Half = 1.0;
 
   Vector3 operator()(const Vector3& p) const { return (0.5 * p - 0.5 * this->Lower) / this->Half; }
 
-  /// Transform a point that may be far outside of the box. Very distant points are moved closer,
+  /// Transform a point that can be far outside of the box. Very distant points are moved closer,
   /// see inUnits() in CoordinateFrame.h.
   Vector3 fromAfar(const Vector3& p) const
   {

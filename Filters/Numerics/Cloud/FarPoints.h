@@ -1,7 +1,7 @@
 /// Detect the far points of a cloud: a few points that are so far from all others that the bounding
 /// box of the cloud would be much too large. The method is our own construction: it finds gaps in
 /// the distances of points from the median. Distances between neighboring points are not used,
-/// because they are small if many outliers have one position.
+/// because these distances are small if many outliers have one position.
 
 #ifndef ConformalFarPoints_h
 #define ConformalFarPoints_h
@@ -34,7 +34,7 @@ struct FarPoints
   double QuarterOfReach = std::numeric_limits<double>::infinity();
 
   /// Test whether a finite point is far. The test uses quarters of coordinates, since differences
-  /// of coordinates may overflow.
+  /// of whole coordinates can overflow.
   bool contains(const Vector3& x) const
   {
     return (0.25 * x - this->QuarterOfCenter).cwiseAbs().maxCoeff() > this->QuarterOfReach;
@@ -47,7 +47,8 @@ struct FarPoints
 ///
 /// Distances are measured from the coordinate-wise median, in the maximum norm. The radius of the
 /// cloud is the distance within which nine tenths of the positions lie. Two candidates, each a set
-/// of points, are tested in this sequence. The far points are the first candidate that is accepted.
+/// of points, are tested one after the other. The far points are the first candidate that is
+/// accepted. The candidates are, in this sequence:
 /// - points beyond a gap. Let R be a distance of at least the radius. The interval of distances
 ///   from R to 4 R is a gap if it contains at most 3 points. The gap with the smallest R is used.
 /// - points at distances above 32 times the radius.
@@ -68,7 +69,8 @@ struct FarPoints
 /// no far points.
 ///
 /// @param[in] points  #P by 3 coordinates, in any unit. Points that are not finite are ignored.
-/// @param[in] skip    function that returns true for points that are not examined; may be empty
+/// @param[in] skip    function that returns true for points that are not examined; empty to examine
+///   all points
 /// @param[in] reduce  communication between ranks; each rank passes its part of the cloud
 /// @throws Aborted
 /// @post the result does not depend on the number of threads or ranks

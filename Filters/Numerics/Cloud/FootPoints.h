@@ -1,7 +1,7 @@
-/// Find the closest surface points (foot points) of many samples on all threads, and pass them to a
-/// function serially. The scheme is our own construction: samples are processed in chunks of
-/// limited size, which limits the memory. Within a chunk, the sequence of calls does not depend on
-/// the number of threads.
+/// Find the closest surface points (foot points) of many samples (points of a cloud) on all
+/// threads. Pass the foot points to a function serially. The scheme is our own construction:
+/// samples are processed in chunks of limited size, which limits the memory. Within a chunk, the
+/// sequence of calls does not depend on the number of threads.
 
 #ifndef ConformalFootPoints_h
 #define ConformalFootPoints_h
@@ -18,12 +18,12 @@ namespace conformal
 /// Function that finds the point of a surface closest to a sample.
 /// @param[in] id    id of the sample
 /// @param[in] x     position of the sample
-/// @param[in] hint  id of a triangle that may be near x, which reduces the cost; -1 for none
+/// @param[in] hint  id of a triangle that is probably near x, which reduces the cost; -1 for none
 using ClosestPoint = std::function<FootPoint(Index id, const Vector3& x, int hint)>;
 
 /// Call body(id, x, foot) serially for the samples idOf(0), idOf(1), ..., idOf(count - 1). Here, x
 /// is the position of the sample, and foot is the point of the surface closest to x. Only a limited
-/// number of closest points is stored at a time. The body may run on any thread, concurrently with
+/// number of closest points is stored at a time. The body can run on any thread, concurrently with
 /// the search for further closest points.
 /// @param[in] closest  function that finds the closest point, called by all threads once for each
 ///   sample

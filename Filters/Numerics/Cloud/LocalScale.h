@@ -1,6 +1,6 @@
 /// Reject outliers by a local scale: the typical distance between samples and a mesh at each
-/// vertex. Local scales are our own construction. With one scale for all vertices, samples at
-/// features that the mesh has not learned yet would be rejected.
+/// vertex. Local scales are our own construction. A single scale for all vertices would reject
+/// samples at features that the mesh has not learned yet.
 
 #ifndef ConformalLocalScale_h
 #define ConformalLocalScale_h
@@ -18,7 +18,7 @@ namespace conformal
 /// triangle closest to the sample has a corner at most two edges from the vertex. If the distance
 /// of a sample from the mesh is much larger than the local scale, the sample is an outlier. Near a
 /// feature of the cloud that the mesh has not learned yet, the distances of many samples are large.
-/// They increase the local scale, so that the samples are not rejected.
+/// These distances increase the local scale, so that the samples are not rejected.
 class LocalScale
 {
 public:

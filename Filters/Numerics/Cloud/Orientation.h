@@ -53,7 +53,7 @@ std::vector<double> areasOfPoints(const Points& points, const Run& run = {});
 /// Compute how sparse the cloud is at each point. The result is the area of the point (see
 /// areasOfPoints()), divided by the median area. There are two exceptions, for which the result is
 /// 1: ratios of at most 4, and outliers. Outliers are the points marked by isolatedPoints()
-/// (StrayPoints.h) with farthest = 2.5.
+/// (StrayPoints.h) with the argument farthest = 2.5. These points are far from all others.
 /// @return #P ratios, at least 1
 Eigen::VectorXd sparsityOf(const Points& points, const Run& run = {});
 

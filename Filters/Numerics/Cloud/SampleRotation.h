@@ -1,7 +1,7 @@
-/// Select another subset of the samples for each pass of training, deterministically. The selection
-/// is our own construction: from pass to pass, the selected positions in the sequence of samples
-/// are shifted by 0.618 (the golden section) of their spacing. The subsets of successive passes are
-/// then evenly distributed over all samples.
+/// Select another subset of the samples for each pass of training, deterministically. A pass is one
+/// loop over the subset. The selection is our own construction: from pass to pass, the selected
+/// positions in the sequence of samples are shifted by 0.618 (the golden section) of their spacing.
+/// The subsets of successive passes are then evenly distributed over all samples.
 
 #ifndef ConformalSampleRotation_h
 #define ConformalSampleRotation_h

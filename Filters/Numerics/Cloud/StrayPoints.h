@@ -1,5 +1,5 @@
-/// Detect outliers: points off the surface that is formed by the points around them, and points far
-/// from all others. The method is our own construction: it measures distances from planes fitted to
+/// Detect outliers. An outlier is off the surface formed by neighboring points, or far from all
+/// other points. The method is our own construction: it measures distances from planes fitted to
 /// eight neighbors. The method requires no normals of the points, and no length that depends on the
 /// cloud.
 
@@ -16,7 +16,7 @@
 namespace conformal
 {
 /// Plane fitted to the points nearest to a position. Usually, the position is that of a point of
-/// the cloud. Because this point is the nearest one, the nearest point is not used.
+/// the cloud. This point is then the nearest one. The nearest point is therefore never used.
 struct NearestPlane
 {
   Vector3 Normal; ///< unit length
@@ -33,7 +33,8 @@ NearestPlane planeNear(
   const Points& points, const PointTree& tree, const Vector3& place, int count);
 
 /// Test whether a position and the points nearest to it are approximately in one plane. The result
-/// is true if the eight nearest points or the sixteen nearest points pass the test.
+/// is true if the position is near one plane with its eight nearest points, or with its sixteen
+/// nearest points.
 /// @param[in] tree  tree of `points`; must have more than eight points
 bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place);
 
@@ -54,8 +55,8 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {})
 /// nearest neighbors. A point is also marked if its d exceeds `farthest` times the median of d over
 /// all points.
 ///
-/// Points of a sparse part of a surface are also marked first. Their marks are removed afterward: a
-/// point loses its mark if at least a quarter of the 32 marked points nearest to it pass
+/// By these rules, points of a sparse part of a surface are also marked. Their marks are then
+/// removed: a point loses its mark if at least a quarter of the 32 marked points nearest to it pass
 /// liesFlat().
 ///
 /// @param[in] points    #P by 3 coordinates, finite

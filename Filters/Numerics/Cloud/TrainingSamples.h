@@ -28,7 +28,8 @@ public:
   /// @param[in] weights   weight of each point, not copied; empty if all points have the same
   ///   weight. Points are left out if a coordinate is not finite, or if the weight is not positive
   ///   and finite.
-  /// @param[in] skip      function that returns true for points to leave out; may be empty
+  /// @param[in] skip      function that returns true for points to leave out; empty to leave out
+  ///   none
   /// @param[in] reduce    communication between ranks; each rank passes its part of the cloud
   /// @throws std::invalid_argument if the number of weights differs from #P on some rank. The
   ///   exception is thrown on all ranks.

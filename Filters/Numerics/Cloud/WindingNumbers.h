@@ -23,8 +23,8 @@ namespace conformal
 /// of the area vectors a. Below, A is the matrix of this function, so that A a are the winding
 /// numbers.
 ///
-/// The points of a distant cluster are added as one point. A cluster is distant from x if two
-/// conditions hold:
+/// Points are grouped into clusters of neighboring points. A distant cluster is added as one point.
+/// A cluster is distant from x if two conditions hold:
 /// - The distance from x to the center of the cluster's bounding box exceeds twice the longest side
 ///   of this box.
 /// - All points of the cluster are farther from x than `width`.

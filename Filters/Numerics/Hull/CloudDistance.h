@@ -14,8 +14,9 @@
 
 namespace conformal
 {
-/// Make a grid of cubes around the samples, in their normalized coordinates (TrainingSamples.h). On
-/// each side, the grid extends `margin` nodes beyond the bounding box of the samples.
+/// Make a grid of cubes around the samples, in their normalized coordinates (TrainingSamples.h). In
+/// normalized coordinates, the largest distance of a sample from the origin is 1. On each side, the
+/// grid extends `margin` nodes beyond the bounding box of the samples.
 /// @throws std::invalid_argument if the grid would have more than MaximumNumberOfNodes; the message
 ///   contains a spacing that is large enough
 FreudenthalGrid gridAround(
@@ -30,15 +31,15 @@ constexpr Index MaximumNumberOfNodes = Index(1) << 28;
 /// Compute the distance of each node to the nearest sample, in units of the grid spacing.
 ///
 /// Distances up to one grid spacing are exact to float precision. Larger distances are upper
-/// bounds: distances to the sample that is nearest to a neighboring node. The mean error of the
-/// upper bounds is a few hundredths of the grid spacing. The maximum error is below one grid
-/// spacing.
+/// bounds: a node gets the distance to the sample that is nearest to one of its neighbors. The mean
+/// error of the upper bounds is a few hundredths of the grid spacing. The maximum error is below
+/// one grid spacing.
 ///
 /// Implementation note: if a cloud is large, only some samples are used. Let h be the grid spacing
 /// divided by the largest distance of a sample from the origin. If there are many more than 32 /
 /// h^2 samples, about 32 / h^2 are selected, evenly from their sequence. For samples on the unit
 /// sphere, this is two or three samples for each area of one squared spacing. The selection reduces
-/// the cost. It also keeps outliers isolated, so that they can be detected.
+/// the cost. The selection also keeps outliers isolated, so that the outliers can be detected.
 ///
 /// Implementation note: two kinds of outliers are ignored:
 /// - samples marked by strayPoints() (StrayPoints.h), which do not lie on the surface formed by

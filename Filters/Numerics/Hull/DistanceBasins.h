@@ -1,6 +1,6 @@
-/// Classify grid nodes as inside or outside of a point cloud that may have holes. Each local
-/// maximum of the distance to the points defines a region, its basin. Basins are merged by their
-/// persistence \cite Edelsbrunner2002, here the ratio of two distances to the points: at the
+/// Classify grid nodes as inside or outside of a point cloud, even if the cloud has holes. Each
+/// local maximum of the distance to the points defines a region, its basin. Basins are merged by
+/// their persistence \cite Edelsbrunner2002, here the ratio of two distances to the points: at the
 /// maximum, and at the border to the next basin.
 
 #ifndef ConformalDistanceBasins_h
@@ -29,14 +29,13 @@ struct OutsideNodes
 {
   std::vector<std::uint8_t> Outside; ///< 1 for each node that is outside, else 0
   DataHole LargestHole;              ///< largest hole that was closed
-  /// Whether the cloud leaks: almost no node was inside by the persistence rule of findOutside(),
-  /// and the likeliest basin was therefore classified as inside. False if there was no likely
-  /// basin.
+  /// Whether the cloud leaks, as defined at findOutside(), and one more basin was classified as
+  /// inside. False if no basin was a candidate.
   bool Leaks = false;
 };
 
 /// Find the nodes of a grid that are outside of a point cloud. The other nodes are enclosed by the
-/// points, or are within the offset of a point.
+/// points, or are within a given distance of a point, the offset.
 ///
 /// The nodes farther than the offset from the points form basins, one for each local maximum of the
 /// distance. A basin consists of the nodes from which steepest ascent of the distance leads to one

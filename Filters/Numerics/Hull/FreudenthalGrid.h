@@ -81,9 +81,9 @@ Index eulerNumber(
   const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Compute the part of the Euler number that is due to simplices with at least one of the given
-/// nodes. Use this function to compute how a change of these nodes alters the Euler number of the
-/// set. Both numbers change by the same amount.
-/// @param[in] nodes  given nodes; none of them may be on the faces of the grid
+/// nodes. Use this function before and after some nodes are added to the set or removed from it.
+/// The result and the Euler number of the whole set change by the same amount.
+/// @param[in] nodes  given nodes, none of which is on the faces of the grid
 Index eulerNumberAround(const FreudenthalGrid& grid, const std::vector<std::uint8_t>& inside,
   const std::vector<int>& nodes);
 

@@ -1,8 +1,8 @@
-/// Make a closed surface of genus zero around a point cloud. The method is an own construction, not
-/// from a publication. The surface is the boundary of a set of grid nodes with the topology of a
-/// ball. Its genus is zero, since the boundary of a ball is a sphere. All lengths are in the
-/// normalized coordinates of the samples. In normalized coordinates, the weighted centroid is the
-/// origin, and the largest distance of a sample from the origin is 1.
+/// Make a closed surface of genus zero, the hull, around a point cloud. The method is an own
+/// construction, not from a publication. The surface is the boundary of a set of grid nodes with
+/// the topology of a ball. Its genus is zero, since the boundary of a ball is a sphere. All lengths
+/// are in the normalized coordinates of the samples. In normalized coordinates, the weighted
+/// centroid is the origin, and the largest distance of a sample from the origin is 1.
 
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h
@@ -99,8 +99,9 @@ struct GenusZeroHullResult : Mesh
   /// Number of nodes near points in the cut through a handle, maximum over all handles. Set by
   /// method Distance.
   Index NumberOfCutDataNodes = 0;
-  /// Whether the handles of this hull are due to chance: the object has no handles. chooseHull()
-  /// sets this member in hulls by method Distance, if the hull by WindingNumbers has no handles.
+  /// Whether the handles of this hull are due to chance: the object from which the cloud was
+  /// measured has no handles. chooseHull() sets this member in hulls by method Distance, if the
+  /// hull by WindingNumbers has no handles.
   bool HandlesByChance = false;
   DataHole LargestHole; ///< largest hole of the cloud that was closed
   /// Whether a hole of the cloud is about as wide as the cavity behind it. Set by method Distance.
@@ -153,9 +154,10 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// few points, or if nothing is inside, HullMethod::Distance is used instead.
 ///
 /// The surface is closed and of genus zero by construction, for any cloud. If the samples are too
-/// sparse for the grid, nothing is enclosed, or a hole is as wide as the cavity behind it. If, in
-/// addition, fewer than half of the samples are in the solid, all steps are repeated with twice the
-/// spacing.
+/// sparse for the grid, all steps are repeated with twice the spacing. The samples are too sparse
+/// if two conditions hold:
+/// - Nothing is enclosed, or a hole is about as wide as the cavity behind it.
+/// - More than half of the samples are outside of the solid and not near it.
 ///
 /// Memory: at most 17 bytes per node during the computation. Let h be the grid spacing. With
 /// HullMethod::Distance, the grid has at most (2 / h + 2 Offset + 8)^3 nodes, 2.5 million by

@@ -1,8 +1,8 @@
 /// Change sets of grid nodes to solids: connected sets without handles. The method is an own
 /// construction, not from a publication. The set is the inside of a point cloud. Within the set, a
 /// ball of nodes grows from the node that is farthest from the points. A node is added only if the
-/// topology of the ball is preserved. The ball enters each handle from both ends. Where both ends
-/// meet, no node can be added, and the handle is cut.
+/// topology of the ball is preserved. The ball enters each handle from both ends. Where the two
+/// parts of the ball meet in the handle, no node can be added, and the handle is cut.
 
 #ifndef ConformalGridSolid_h
 #define ConformalGridSolid_h
@@ -24,8 +24,8 @@ Index keepLargestPiece(
   const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside, const Run& run = {});
 
 /// Position of the cut through a handle. A node is called enclosed if its distance to the data, the
-/// points of a cloud, exceeds a given offset. This option affects only handles in which no enclosed
-/// nodes lead from one end to the other.
+/// points of a cloud, exceeds a given offset. If enclosed nodes lead through a handle from one end
+/// to the other, this choice has no effect on the cut.
 enum class HandleCut
 {
   HalfWay,     ///< cut farthest from the enclosed nodes: midway between limbs (thin parts)
@@ -34,17 +34,18 @@ enum class HandleCut
 
 /// Cut the handles of a solid, a set of nodes, until no handle is left.
 ///
-/// A ball grows within the solid, beginning with the deepest node of the solid. Only simple nodes
-/// are added (isSimpleNode()), since simple nodes preserve the topology. The nodes that cannot be
-/// added form the cut, and are removed from the solid.
+/// The depth of a node is its distance to the data, or another value that increases toward the
+/// inside. A ball grows within the solid, beginning with the deepest node of the solid. Only simple
+/// nodes are added (isSimpleNode()), since simple nodes preserve the topology. The nodes that
+/// cannot be added form the cut, and are removed from the solid.
 ///
 /// Enclosed nodes (nodes deeper than the offset) are added first, beginning with the deepest one.
 /// The other nodes follow. With HandleCut::HalfWay, the other nodes are sorted by the length of the
-/// path from the enclosed nodes, the shortest first. With HandleCut::FarFromData, they are sorted
-/// by distance to the data, the smallest first. A handle is cut at the nodes that are last in this
-/// sequence. If the handle has enclosed nodes along its whole length, the cut is thus where the
-/// handle is thinnest. If the distance of two limbs is less than twice the offset, the solid joins
-/// the limbs. HandleCut::HalfWay then separates the limbs by a cut midway between them.
+/// path from the enclosed nodes, the shortest first. With HandleCut::FarFromData, the other nodes
+/// are sorted by distance to the data, the smallest first. A handle is cut at the nodes that are
+/// last in this sequence. If the handle has enclosed nodes along its whole length, the cut is thus
+/// where the handle is thinnest. If the distance of two limbs is less than twice the offset, the
+/// solid joins the limbs. HandleCut::HalfWay then separates the limbs by a cut midway between them.
 ///
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and
 ///   have no cavities

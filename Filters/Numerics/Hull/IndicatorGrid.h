@@ -24,10 +24,10 @@ struct Indicator
 /// Compute winding numbers at the nodes of a grid, and blur the values along each axis. A blurred
 /// value is 1/2 of the value of the node plus 1/4 of the value of each neighbor along the axis.
 ///
-/// Every fourth node along each axis forms a coarse grid, which is evaluated first. If a cube of
-/// the coarse grid is near points or may intersect the isosurface, all nodes in the cube are
-/// evaluated. At all other nodes, winding numbers are interpolated between nodes of the coarse
-/// grid.
+/// Every fourth node along each axis forms a coarse grid, which is evaluated first. The isosurface
+/// is where the winding number equals Indicator::Level. If a cube of the coarse grid is near
+/// points, or possibly intersects the isosurface, all nodes in the cube are evaluated. At all other
+/// nodes, winding numbers are interpolated between nodes of the coarse grid.
 ///
 /// @param[in] grid  grid that contains the points of the cloud
 /// @param[in] cloud  points of the cloud, with a hierarchy of clusters for fast sums

@@ -41,14 +41,15 @@ struct IndicatorSolid
 ///    by at most 10,000 means (CloudThinning.h).
 /// 2. If the samples have normals that are consistently oriented, by turnOutward() (Orientation.h),
 ///    use these normals. Otherwise, estimate normals by orient().
-/// 3. Compute winding numbers on a grid (IndicatorGrid.h). Nodes above the isovalue are inside. If
-///    the points are noisy, the kernel width is at least 2.5 times the standard deviation of the
-///    noise. If noisy points result in more than four handles and cavities, repeat this step with
-///    the 1.5-fold width, at most twice. Keep the solid with the fewest handles and cavities.
+/// 3. Compute winding numbers on a grid (IndicatorGrid.h). Nodes with winding numbers above the
+///    isovalue (Indicator::Level) are inside. If the points are noisy, the kernel width is at least
+///    2.5 times the standard deviation of the noise. If noisy points result in more than four
+///    handles and cavities, repeat this step with the 1.5-fold width, at most twice. Keep the solid
+///    with the fewest handles and cavities.
 /// 4. Join components, fill cavities and remove handles (SolidRepair.h). The solid then has the
 ///    topology of a ball.
 ///
-/// @param[in] samples  samples of affine rank 3: they do not lie in one plane
+/// @param[in] samples  samples of affine rank 3: samples that do not lie in one plane
 /// @param[in] spacing  grid spacing, divided by the largest distance of a sample from the origin
 /// @return the solid; IndicatorSolid::Inside is empty if there are too few points or no inside
 ///   nodes

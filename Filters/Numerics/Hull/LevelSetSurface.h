@@ -18,11 +18,12 @@ namespace conformal
 /// other is not. The surface has one vertex on each cut edge. The surface is always closed and
 /// manifold. It has the topology of the boundary of the set.
 ///
-/// Usually, the value is below the level at nodes in the set, and above the level at other nodes.
-/// The vertex is then where linear interpolation along the edge reaches the level. Some nodes are
-/// exceptions, for example, where a handle of the set was cut or filled. An exception is a node of
-/// the set with a value above the level, or another node with a value below the level. On each cut
-/// edge of an exception, the vertex is the midpoint of the edge.
+/// Each node has a value, for example its distance to a point cloud. Usually, the value is below
+/// the level at nodes in the set, and above the level at other nodes. The vertex is then where
+/// linear interpolation along the edge reaches the level. Some nodes are exceptions, for example,
+/// where a handle of the set was cut or filled. An exception is a node of the set with a value
+/// above the level, or another node with a value below the level. On each cut edge of an exception,
+/// the vertex is the midpoint of the edge.
 ///
 /// @param[in] inside  1 for the nodes of the set, else 0; must be 0 on the faces of the grid
 /// @param[in] values  value of each node
@@ -32,7 +33,9 @@ Mesh makeLevelSetSurface(const FreudenthalGrid& grid, const std::vector<std::uin
 
 /// Smooth a closed surface without shrinkage \cite Taubin1995. Each pass has two steps. The first
 /// step moves each vertex halfway to the centroid of its neighbors. The second step moves each
-/// vertex away from the centroid of its moved neighbors, by 0.53 times their distance.
+/// vertex away from the centroid of its moved neighbors, by 0.53 times the distance between vertex
+/// and centroid. The second step is slightly larger than the first, which compensates the shrinkage
+/// of the first step.
 void smoothSurface(Points& positions, const Triangles& triangles, int passes, const Run& run = {});
 }
 

@@ -49,8 +49,8 @@ struct HandleRepair
 
 /// Remove the handles of a solid. A handle is removed by a cut through the handle, or by filling
 /// its opening. Of these two changes, the one of lower cost is made. The handle with the cheapest
-/// change is removed first. If the object itself has the handle, cutting and filling are both
-/// expensive.
+/// change is removed first. If the handle is due to the object itself, cutting and filling both
+/// have a high cost.
 ///
 /// @param[in] indicator  winding number at each node, and the level of the surface
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and

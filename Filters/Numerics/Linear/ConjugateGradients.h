@@ -13,8 +13,9 @@ namespace conformal
 struct ConjugateGradientsOptions
 {
   int NumberOfSteps = 0; ///< maximum number of steps
-  /// Let r = b - A x be the residual, and P the preconditioner. The iteration ends when the scalar
-  /// product of r and P r is at most this fraction of its initial value.
+  /// Let A x = b be the equations, and r = b - A x the residual. Let P be the preconditioner, which
+  /// approximates the inverse of A. The iteration ends when the scalar product of r and P r is at
+  /// most this fraction of its initial value.
   double Accuracy = 0.0;
 };
 

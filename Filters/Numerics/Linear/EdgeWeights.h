@@ -1,5 +1,6 @@
-/// Compute edge weights of a triangle mesh for harmonic maps (weighted means of neighbors): equal
-/// weights, \cite Tutte1963, or cotangent weights, \cite Pinkall1993.
+/// Compute edge weights of a triangle mesh for harmonic maps. In a harmonic map, the position of
+/// each inner vertex is the weighted mean of the positions of its neighbors. The weights are equal,
+/// \cite Tutte1963, or cotangent weights, \cite Pinkall1993.
 
 #ifndef ConformalEdgeWeights_h
 #define ConformalEdgeWeights_h

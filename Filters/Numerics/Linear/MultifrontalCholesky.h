@@ -29,7 +29,7 @@ public:
   /// @param[in] places  position of each unknown in space. Positions determine only the sequence in
   ///   which unknowns are eliminated.
   /// @param[in] rings  number of rings of neighbors that the matrix couples to a vertex; 1 for
-  ///   direct neighbors. A larger number permits more entries in the factor.
+  ///   direct neighbors. The more rings, the more entries of the factor are permitted.
   /// @throws NumericalFailure if the matrix is not positive definite, or its factor has too many
   ///   entries. The factor has many entries if neighboring unknowns are far apart in space.
   MultifrontalCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,

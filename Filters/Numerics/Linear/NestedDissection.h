@@ -15,7 +15,8 @@ namespace conformal
 /// parts, \cite George1973. A set of unknowns is divided recursively into two halves and a
 /// separator. The halves are not connected to each other. The separator follows both halves in the
 /// elimination order. Each separator is a part. Each small set that is not divided further is also
-/// a part, called a leaf.
+/// a part, called a leaf. The parts form a tree: the children of a separator are the last parts of
+/// its two halves.
 struct NestedDissection
 {
   struct Part
@@ -34,8 +35,8 @@ struct NestedDissection
 
 /// Compute an elimination order by recursive bisection. A set of unknowns is divided at the median
 /// position along the longest side of its bounding box. The separator consists of all unknowns in
-/// one half that have neighbors in the other half. If both halves are not connected, the separator
-/// is a single unknown.
+/// one half that have neighbors in the other half. If the halves are not connected to each other,
+/// the separator is a single unknown.
 /// @param[in] graph   neighbors of each unknown: a symmetric relation; no unknown is its own
 ///   neighbor
 /// @param[in] places  position of each unknown in space

@@ -17,7 +17,8 @@ namespace conformal
 using SparseMatrix = Eigen::SparseMatrix<double>; ///< by columns
 
 /// Factor a symmetric, positive definite matrix whose unknowns belong to the vertices of a mesh.
-/// @param[in] places  position of each unknown, which determines only the elimination order
+/// @param[in] places  position of each unknown; determines only the elimination order (the sequence
+///   in which unknowns are eliminated)
 /// @param[in] rings  number of rings of neighbors that the matrix couples to a vertex; 1 for direct
 ///   neighbors
 /// @throws NumericalFailure if the constructor of MultifrontalCholesky throws it

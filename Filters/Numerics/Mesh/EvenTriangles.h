@@ -9,12 +9,15 @@
 
 namespace conformal
 {
-/// Test whether a closed mesh was probably made by remesh(). Two conditions must hold. The smallest
-/// angle of a triangle, averaged over all triangles, must be at least 46 degrees. At least 99 % of
-/// the vertices must belong to five to seven triangles. In our measurements, scans satisfied
-/// neither condition. Meshes of some thousand vertices that vtkConformalSOM learned with MeshType
-/// Adaptive also pass the test. The test also accepts some surfaces that were remeshed by other
-/// programs.
+/// Test whether a closed mesh was probably made by remesh(). Two conditions must hold:
+/// - The smallest angle of each triangle, averaged over all triangles, is at least 46 degrees.
+/// - At least 99 % of the vertices belong to five, six or seven triangles.
+///
+/// In our measurements, scans satisfied neither condition. The test also accepts some meshes that
+/// were not made by remesh():
+/// - meshes of some thousand vertices that vtkConformalSOM learned with the property MeshType set
+///   to Adaptive,
+/// - some surfaces that were remeshed by other programs.
 bool hasEvenTriangles(const Mesh& mesh);
 }
 

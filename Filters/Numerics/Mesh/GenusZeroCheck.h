@@ -46,8 +46,8 @@ struct GenusZeroReport
   {
     return this->NonManifoldEdges.empty() && this->NonManifoldVertices.empty();
   }
-  /// Test whether the mesh is closed, manifold and connected, and has Euler number 2. The triangles
-  /// may be oriented inconsistently, see InconsistentEdges.
+  /// Test whether the mesh is closed, manifold and connected, and has Euler number 2. The result
+  /// can be true for inconsistently oriented triangles, see InconsistentEdges.
   bool isGenusZero() const
   {
     return this->closed() && this->manifold() && this->NumberOfComponents == 1 &&
@@ -82,9 +82,9 @@ double signedVolume(const PointView& points, const Triangles& triangles);
 double surfaceArea(const PointView& points, const Triangles& triangles);
 
 /// Weld points of boundary edges: among points with equal coordinates, use only the point with the
-/// smallest id. A file that stores three separate points for each triangle needs this step. Points
-/// that are on no boundary edge are not welded. Closed surfaces that touch each other thus stay
-/// separate.
+/// smallest id. Call this function for triangles from a file that stores three separate points for
+/// each triangle. Points that are on no boundary edge are not welded. Closed surfaces that touch
+/// each other thus stay separate.
 ///
 /// @param[in,out] triangles  triangles in which the ids of welded points are replaced; no triangle
 ///   is dropped

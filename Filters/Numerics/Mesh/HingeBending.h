@@ -16,21 +16,22 @@ namespace conformal
 /// Bending energy of the hinges of a mesh, \cite Wardetzky2007. A hinge consists of the two
 /// triangles at an edge e.
 ///
-/// Each corner of a hinge has a number k, computed from the cotangents of the angles at e. Let k x
-/// denote the sum over the four corners of the number k times the position x. Let u and v be the
-/// unit vectors that point from e into the two triangles, perpendicular to e. Then k x is |e| (u +
-/// v). A flat hinge has k x = 0 for any shape of its triangles. A hinge bent by an angle theta has
-/// |k x| = 2 |e| sin(theta / 2). At folds, |k x| is large even if the triangles are thin. In
-/// contrast, the uniform Laplacian measures bending only if triangles are nearly equilateral. The
-/// uniform Laplacian of a vertex is its position minus the mean of its neighbors. At needles (very
-/// thin triangles), the four numbers k are scaled down to a magnitude of at most 4. Larger numbers
-/// would make the equations for minimizing the energy ill-conditioned.
+/// Each corner of a hinge has a number k, computed from the cotangents of the angles at e. The
+/// position x of each corner is multiplied by its number k. Let k x denote the sum of these four
+/// products. Let u and v be the unit vectors that point from e into the two triangles,
+/// perpendicular to e. Then k x is |e| (u + v). A flat hinge has k x = 0 for any shape of its
+/// triangles. A hinge bent by an angle theta has |k x| = 2 |e| sin(theta / 2). At folds, |k x| is
+/// large even if the triangles are thin. Another measure is the uniform Laplacian of a vertex: its
+/// position minus the mean of its neighbors. The uniform Laplacian measures bending only if
+/// triangles are nearly equilateral. At needles (very thin triangles), the four numbers k are
+/// scaled down to a magnitude of at most 4. Larger numbers would make the equations for minimizing
+/// the energy ill-conditioned.
 ///
 /// The stiffness is a given weight at each vertex. Let s be the mean stiffness of the two vertices
-/// of an edge. The energy is the sum of s (k x)^2 over all edges, times the constant 1/14. Let L x
-/// be the uniform Laplacian of a vertex. For equilateral triangles and constant stiffness s, this
-/// energy then has about the same second derivatives by coordinates as the sum of s (L x)^2 over
-/// all vertices.
+/// of an edge. The energy is the sum of s (k x)^2 over all edges, times the constant 1/14. The
+/// constant makes the energy comparable with another energy: the sum of s (L x)^2 over all
+/// vertices, where L x is the uniform Laplacian. For equilateral triangles and constant stiffness
+/// s, the second derivatives of the two energies by coordinates are about equal.
 class HingeBending
 {
 public:

@@ -33,9 +33,9 @@ Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices);
 /// share an edge.
 Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 
-/// Find the triangle across each edge. Entry (r, k) belongs to edge (k, k + 1 mod 3) of triangle r.
-/// The value is the id of the triangle that contains this edge in the opposite direction. If there
-/// is no such triangle, the value is -1.
+/// Find the triangle across each edge. Entry (r, k) of the result belongs to edge (k, k + 1 mod 3)
+/// of triangle r. Its value is the id of the triangle that contains this edge in the opposite
+/// direction. If there is no such triangle, the value is -1.
 /// @pre no edge has the same direction in two triangles, see checkGenusZero()
 Triangles triangleNeighbors(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});

@@ -18,28 +18,28 @@ namespace conformal
 /// Tetrahedron, and the sequence of vertex splits that restores a mesh from the tetrahedron.
 struct ProgressiveMesh
 {
-  /// Connectivity after all removals: of a tetrahedron or, in a result of takeOut(), of the
-  /// remaining mesh
+  /// Connectivity after all removals. The remaining mesh is a tetrahedron, unless takeOut() removed
+  /// only some vertices.
   VertexRings Rings;
   /// Arguments of VertexRings::split() for each split, in the sequence of the splits
   std::vector<QuadricCollapse::Collapse> Splits;
 };
 
-/// Build a progressive mesh by half-edge collapses. Collapses of minimum quadric error, which
-/// change the shape least, are made first.
+/// Build a progressive mesh by half-edge collapses. Collapses that change the shape least are made
+/// first. The change is measured by the quadric error (QuadricCollapse.h).
 /// @param[in] mesh  mesh that passes requireGenusZero(), with coordinates of magnitude about 1
 ProgressiveMesh makeProgressiveMesh(const Mesh& mesh,
   QuadricCollapse::Needles needles = QuadricCollapse::Needles::Keep, const Run& run = {});
 
-/// Build a progressive mesh from connectivity alone, for surfaces whose positions are unusable.
-/// Vertices are removed in rounds. No two vertices that are removed in a round share an edge.
-/// Vertices with the fewest neighbors are removed first, \cite Kirkpatrick1983. The number of
-/// rounds is logarithmic in the number of vertices.
+/// Build a progressive mesh from connectivity alone. Use this function if the positions of a
+/// surface are unusable. Vertices are removed in rounds. Vertices that are removed in the same
+/// round share no edges. Vertices with the fewest neighbors are removed first,
+/// \cite Kirkpatrick1983. The number of rounds is logarithmic in the number of vertices.
 ProgressiveMesh makeProgressiveMesh(
   const Triangles& triangles, Index numberOfVertices, const Run& run = {});
 
-/// Remove given vertices of a mesh in rounds. No two vertices that are removed in a round share an
-/// edge.
+/// Remove given vertices of a mesh in rounds. Vertices that are removed in the same round share no
+/// edges.
 /// @param[in] vertices  ids of the vertices to remove. A vertex stays if each of its collapses
 ///   would change the topology.
 /// @param[in] maximum   maximum number of vertices to remove. At least four vertices of triangles

@@ -1,5 +1,5 @@
-/// Collapse half-edges of a closed mesh one by one, \cite Garland1997. Collapses of minimum quadric
-/// error, which change the shape least, are made first.
+/// Collapse half-edges of a closed mesh one by one, \cite Garland1997. Collapses that change the
+/// shape least are made first.
 
 #ifndef ConformalQuadricCollapse_h
 #define ConformalQuadricCollapse_h

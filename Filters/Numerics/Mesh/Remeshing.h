@@ -11,11 +11,13 @@ namespace conformal
 {
 struct RemeshingOptions
 {
-  Index NumberOfVertices = 12962; ///< target number of vertices, at least 4
-  int NumberOfIterations = 3;     ///< number of iterations, each with the four steps of remesh()
-  /// Whether the result has exactly NumberOfVertices vertices. If true, edges whose opposite angles
-  /// have a sum above pi are also flipped (Delaunay criterion). If false, the number of vertices is
-  /// approximate.
+  /// Target number of vertices, at least 4. The default is that of a geodesic sphere (subdivided
+  /// icosahedron) with 36 segments per edge of the icosahedron: 10 * 36^2 + 2.
+  Index NumberOfVertices = 12962;
+  int NumberOfIterations = 3; ///< number of iterations, each with the four steps of remesh()
+  /// Whether the result has exactly NumberOfVertices vertices. If false, the number of vertices is
+  /// approximate. If true, edges are also flipped by the Delaunay criterion: the two angles
+  /// opposite the edge have a sum above pi.
   bool MeetNumber = false;
 };
 

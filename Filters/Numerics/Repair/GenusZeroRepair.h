@@ -77,8 +77,8 @@ struct GenusZeroRepairResult : Mesh
 /// 3. Orient the mesh outward.
 /// 4. While there are handles, find a short loop at each handle (HandleLoops.h). The loop runs
 ///    around the handle, or through its opening if that is shorter. Cut the mesh along the loop.
-///    This step duplicates the points of the loop. Fill both boundaries of the cut. The two
-///    fillings coincide in space.
+///    The cut duplicates the points of the loop. Fill both boundaries of the cut. The two fillings
+///    coincide in space.
 ///
 /// No point is moved. If a mesh needs no repair, the result equals the input without unused points.
 /// @param[in] points  coordinates of the points, #P by 3; must be finite at points used by

@@ -1,5 +1,6 @@
 /// Connect triangles along their sides, so that any set of triangles becomes a manifold. Fill holes
-/// of the manifold, and cut it. Cutting and connecting (stitching) are as in \cite Gueziec2001.
+/// of the manifold, and cut the manifold along loops. Cutting and connecting (stitching) are as in
+/// \cite Gueziec2001.
 
 #ifndef ConformalGluedSurface_h
 #define ConformalGluedSurface_h
@@ -68,15 +69,17 @@ struct GluingReport
 /// Glue triangles to form manifold surfaces, and keep the largest surface.
 ///
 /// 1. Remove triangles with repeated points, and duplicates of earlier triangles.
-/// 2. Glue the two sides of each edge to each other. If an edge has more than two sides, glue pairs
-///    of consistent orientation. The pair with the smallest angle between the normals of its
-///    triangles is glued first. If two bodies touch at an edge, this rule separates the bodies.
+/// 2. At each edge of two triangles, glue the sides of the two triangles to each other. If more
+///    than two triangles share an edge, glue their sides in pairs. Pairs of consistent orientation
+///    are glued first. Among these pairs, the pair with the smallest angle between the normals of
+///    its triangles is first. If two bodies touch at an edge, this order separates the bodies.
 ///    Sides without a partner form the boundary.
-/// 3. In each connected part, orient all triangles consistently, as the majority of its triangles.
+/// 3. In each connected part, orient all triangles consistently. Keep the orientation that most
+///    triangles of the part have in the input.
 /// 4. Keep the connected part of largest area.
 ///
 /// Vertices and triangles have the order of the input. If a point has several vertices, one for
-/// each fan, their ids are consecutive.
+/// each fan, the ids of these vertices are consecutive.
 /// @param[in] points  finite coordinates, #P by 3
 /// @param[in] triangles  #F by 3 ids of points
 /// @param[out] report  counts of the changes
@@ -88,8 +91,8 @@ GluedSurface glueTriangles(
 /// next side of its loop begins.
 std::vector<std::vector<int>> openLoops(const GluedSurface& surface);
 
-/// Return the positions at the corners of a loop of sides. Their order is that required by
-/// capLoop(), which fills the loop with a disk of triangles (cap).
+/// Return the positions at the corners of a loop of sides, in the order that capLoop() requires.
+/// The function capLoop() fills the loop with a disk of triangles (cap).
 Points cornersOfCap(const GluedSurface& surface, const std::vector<int>& loop);
 
 /// Make a cap, a disk of triangles that fills a loop of sides. No inner edge of the cap joins
@@ -109,8 +112,8 @@ void closeLoop(GluedSurface& surface, const std::vector<int>& loop, const LoopCa
 std::vector<int> cutAlong(GluedSurface& surface, const std::vector<int>& loop);
 
 /// Insert vertices where several glued edges join the same two vertices. One of these edges is left
-/// unchanged; a vertex is inserted in each of the others. Afterward, two triangles are neighbors if
-/// they have two vertex ids in common.
+/// unchanged; a vertex is inserted in each of the others. Afterward, two triangles with two common
+/// vertex ids are always neighbors.
 /// @return the number of inserted vertices
 Index splitDoubleEdges(GluedSurface& surface);
 }

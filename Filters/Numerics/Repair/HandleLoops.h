@@ -29,12 +29,12 @@ struct HandleLoop
 ///
 /// Each of the 2 g loops is then shortened. The candidates are loops that pass through a vertex of
 /// the given loop, and do not separate the surface into two parts. The shortest candidate is kept.
-/// For each handle, one loop runs around the handle and another one runs through its opening. Among
-/// all shortened loops, the shortest ones are selected first.
+/// For each handle, one loop runs around the handle and another one runs through its opening. The
+/// loops to return are selected from all shortened loops, the shortest loops first.
 ///
-/// If the surface has many handles, or if loops of several handles intersect, several calls may be
-/// needed. Between calls, cut the surface along the loops and close the cuts. If the surface has a
-/// handle, each call returns at least one loop.
+/// If the surface has many handles, or if loops of several handles intersect, several calls can be
+/// necessary. Between calls, cut the surface along the loops and close the cuts. If the surface has
+/// a handle, each call returns at least one loop.
 ///
 /// The computing time is about that of sorting the sides a few times, plus that of the shortest
 /// paths near each handle.

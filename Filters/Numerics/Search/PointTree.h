@@ -29,7 +29,7 @@ struct Neighbor
 /// The tree is stored as a permutation of the points. Each node is a range of the permuted points.
 /// The middle point of a range splits the other points of the range into two smaller ranges. The
 /// points need 32 bytes each. The axes of the splits need at most one byte per four points. The
-/// cost of a query is about logarithmic in the number of points. Several threads may query
+/// cost of a query is about logarithmic in the number of points. Several threads can query
 /// concurrently.
 class PointTree
 {

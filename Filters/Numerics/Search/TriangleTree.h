@@ -22,14 +22,14 @@ struct FootPoint
   double SquareDistance = std::numeric_limits<double>::infinity();
 };
 
-/// Compute the point of the triangle a, b, c that is closest to x. The triangle may be degenerate,
+/// Compute the point of the triangle a, b, c that is closest to x. The triangle can be degenerate,
 /// that is, a segment or a point. The member Triangle of the result is not set (-1).
 FootPoint closestPointOfTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
 
-/// Tree that finds exact closest points of a mesh whose vertices may move.
+/// Tree that finds exact closest points of a mesh. The vertices of the mesh can move, see refit().
 ///
-/// The cost of a query is about logarithmic in the number of triangles. Several threads may query
+/// The cost of a query is about logarithmic in the number of triangles. Several threads can query
 /// concurrently.
 class TriangleTree
 {
@@ -48,8 +48,8 @@ public:
   /// Find the point of the mesh closest to x. If several triangles have the minimum distance, the
   /// one with the smallest id is returned. The distance is exact up to rounding.
   /// @param[in] x     query point
-  /// @param[in] hint  id of a triangle that may be close, or -1. A hint reduces the cost and does
-  ///   not change the result.
+  /// @param[in] hint  id of a triangle that is probably close to x, or -1. A hint reduces the cost
+  ///   and does not change the result.
   /// @return closest point. If the mesh has no triangles, its member Triangle is -1.
   FootPoint closestPoint(const Vector3& x, int hint = -1) const;
 

@@ -34,27 +34,28 @@ enum class SeamMode
 /// Implementation note: the conformal (Schwarz-Christoffel) maps of two neighboring triangles map
 /// points of their common edge differently. In mode EdgeMatched, both triangles of an edge
 /// therefore use one map e from the network edge to the model edge. This map is called the
-/// correspondence of the edge. Let t in [0, 1] be the point that divides the network edge in the
-/// ratio t : (1 - t). Its image e(t) divides the model edge in the ratio exp(c) t^p : (1 - t)^q.
-/// Near the ends of the edge, a conformal map has this form, with constants p, q and c. The
-/// constants of the two triangles are averaged.
+/// correspondence of the edge. A number t in [0, 1] denotes the point that divides the network edge
+/// in the ratio t : (1 - t). The image e(t) of this point divides the model edge in the ratio
+/// exp(c) t^p : (1 - t)^q. Near the ends of the edge, a conformal map has this form, with constants
+/// p, q and c. The constants of the two triangles are averaged.
 ///
 /// The conformal map of each triangle is followed by three slides, one for each edge. A slide moves
 /// points parallel to its edge. On the edge, the map then equals the correspondence of the edge.
 /// Let i and j be the ends of the edge, and m the barycentric coordinates before the slide. Then
 /// S = m_i + m_j is 1 on the edge and 0 at the opposite corner. The position parallel to the edge
 /// is b = m_j / S. Let d = 1 - S and b' = (b + d) / (1 + 2 d): the position b, moved toward the
-/// middle of the edge. Let t be the point of the edge that the conformal map, without slides, maps
-/// to b'. Let o(x) = x / (1 - x) be the ratio in which x divides an edge. The slide replaces b by
+/// middle of the edge. In the formula below, t is the point of the network edge that the conformal
+/// map, without slides, maps to b'. Let o(x) = x / (1 - x) be the ratio in which x divides an edge.
+/// The slide replaces b by
 ///     (1 - S^2) b + S^2 h,   where o(h) = o(b) o(e(t)) / o(b').
 ///
-/// A slide does not move the points of the two other edges. On these edges, the slide is smooth,
-/// because b' is strictly between 0 and 1 inside them. The new position increases strictly with b,
-/// since o(e(t)) increases, and o(b) / o(b') does not decrease. The slide is thus one-to-one on
+/// A slide does not move the points of the two other edges. Between the ends of these edges, b' is
+/// strictly between 0 and 1, so that the slide is smooth. The new position increases strictly with
+/// b, since o(e(t)) increases, and o(b) / o(b') does not decrease. The slide is thus one-to-one on
 /// every line parallel to its edge. On the edge, S = 1 and d = 0, so that t is mapped to e(t). The
 /// composition of the conformal map and the slides is a homeomorphism for triangles of any shape.
-/// No iteration over the mesh is necessary. To invert the slides, three monotone equations are
-/// solved, each in one unknown.
+/// To compute the maps, no iteration over the mesh is necessary. To invert the slides, three
+/// monotone equations are solved, each in one unknown.
 ///
 /// Implementation note: conformal maps move most points of a needle (very thin triangle) into one
 /// corner. In mode EdgeMatched, some triangles therefore have an affine map instead of the
@@ -126,9 +127,9 @@ public:
 
   /// Map a point from the network to the model.
   /// @param[in]  barycentric  barycentric coordinates of p', >= 0, with the sum 1
-  /// @param[out] derivative   derivative of the returned point; may be null. Column k is the
-  ///   partial derivative with respect to barycentric coordinate k. Multiply the matrix only by
-  ///   changes of the three coordinates whose sum is 0. On an edge, the map of this triangle is
+  /// @param[out] derivative   derivative of the returned point, or null. Column k is the partial
+  ///   derivative with respect to barycentric coordinate k. Multiply the matrix only by a change of
+  ///   the coordinates: three numbers with the sum 0. On an edge, the map of this triangle is
   ///   differentiated, not the map of its neighbor. At a corner, where no derivative exists, the
   ///   derivative at a nearby point is returned.
   /// @post in mode EdgeMatched, both triangles of an edge map a point of the edge to positions with

@@ -22,7 +22,8 @@ using Complex = std::complex<double>;
 
 constexpr double Log4 = 1.38629436111989061883;
 constexpr double LogEpsilon = -39.0; // smaller terms, below e^-39 = 1e-17, are neglected
-// log(1/3). Every point has a corner with |s| <= 0.268, so that the bound 1/3 has a small margin.
+// log(1/3). For every point, a corner can be mapped to s = 0 so that |s| <= 0.268. The bound 1/3
+// adds a small margin.
 constexpr double MaximumLogS = -1.09861;
 constexpr int MaximumTerms = 36; // even; |s|^36 < 1e-17 for |s| < 1/3
 
@@ -117,11 +118,14 @@ inline constexpr auto Reciprocals = []()
   return result;
 }();
 
-/// Power series of the conformal map at one corner of a triangle. Let a, b and c be the angles of
-/// this, the next and the previous corner, in units of pi. Let s be the coordinate of the half disk
-/// that is 0 at this corner. Let k = pi D / (Gamma(a) Gamma(b) Gamma(c)), where D is the diameter
-/// of the circumcircle. Let f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n with d_0 = 1. Then the
-/// map to the plane of the triangle is z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
+/// Power series of the conformal map at one corner of a triangle. Let a be the angle of this
+/// corner, in units of pi. Let b be the angle of the next corner, and c the angle of the previous
+/// corner. Let s be the coordinate of the half disk that is 0 at this corner. Let D be the diameter
+/// of the circumcircle. With
+///     k = pi D / (Gamma(a) Gamma(b) Gamma(c)),
+///     f(s) = (1-s)^(2b-1) (1+s)^(2c-1) = sum d_n s^n,   where d_0 = 1,
+/// the map to the plane of the triangle is
+///     z = (k/a) (4s)^a (1 + sum_{n>0} a d_n/(n+a) s^n).
 class CornerSeries
 {
 public:

@@ -78,7 +78,7 @@ public:
   std::complex<double> derivative(const HalfDiskPoint& point) const;
 
   /// Compute the derivative of the conformal map to another triangle, in barycentric coordinates.
-  /// Multiply the matrix only by changes of the three coordinates whose sum is 0.
+  /// Multiply the matrix only by a change of the coordinates: three numbers with the sum 0.
   /// @pre neither triangle is degenerate, and the point is not a corner
   Eigen::Matrix3d mapDerivative(const TriangleShape& to, const HalfDiskPoint& point) const;
 
@@ -103,8 +103,8 @@ private:
   Vector3 place(const HalfDiskPoint& point, std::complex<double> series) const;
 
   std::array<double, 3> Angles{}; // interior angles in units of pi
-  // Sines of the angles. In units of the diameter of the circumcircle, they are also the lengths of
-  // the opposite edges.
+  // Sines of the angles. Each sine is also the length of the opposite edge, in units of the
+  // diameter of the circumcircle.
   std::array<double, 3> Sines{};
   std::array<double, 3> Cosines{};
   double Scale = 0.0; // constant k in the comment at the beginning of this file

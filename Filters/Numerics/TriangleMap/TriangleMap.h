@@ -55,7 +55,7 @@ public:
 
   /// @param[in] shape     shape of the triangle, with corners in the sequence of the triangle's
   ///   vertices
-  /// @param[in] table     table of the shape; must outlive this object. May be null.
+  /// @param[in] table     table of the shape, or null; must outlive this object
   /// @param[in] rotation  corner k of the table is corner k + rotation (mod 3) of the triangle
   TriangleMap(const TriangleShape& shape, const ShapeTable* table, int rotation);
 
