@@ -30,7 +30,7 @@ struct BodyCoordinates
   /// Transformed sphere map, #V by 3 unit vectors. The north pole is (0, 0, 1), and longitude 0 on
   /// the equator is (1, 0, 0).
   Points SpherePositions;
-  /// Points of the surface: both poles, and the point at longitude 0.
+  /// Points of the surface: both poles, and the point that defines longitude 0.
   Vector3 NorthPole, SouthPole, Marker;
 };
 
