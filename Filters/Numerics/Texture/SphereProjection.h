@@ -47,8 +47,8 @@ struct SphereImage
 
 /// Project a direction stereographically onto the plane tangent to the sphere at the pole of the
 /// view. The unit is the diameter of the sphere. Let theta be the angle between the direction and
-/// the pole. In the plane, the distance of the direction from the pole is then tan(theta / 2). The
-/// direction opposite to the pole is mapped to a point at a very large distance.
+/// the pole. In the plane, the distance from the pole to the projected direction is tan(theta / 2).
+/// The direction opposite to the pole is mapped to a point at a very large distance.
 Vector2 stereographicPlane(const Vector3& n, const SphereView& view);
 
 /// Project a direction to texture coordinates.

@@ -34,7 +34,7 @@ struct TexturedSurface
 /// "metersPerUnit".
 ///
 /// If rounding to floats changes the positions too much (FloatRounding::isTooCoarse()), positions
-/// are relative to the center of the bounding box. The node is then translated to this center.
+/// are relative to the center of the bounding box. The translation of the node is this center.
 /// @param[in] png  picture as a PNG file
 /// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would exceed 4 GiB, the limit of the format
