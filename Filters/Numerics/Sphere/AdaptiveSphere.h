@@ -55,7 +55,7 @@ struct AdaptiveSphereLimits
 ///   the density requires triangles with a circumradius below 1e-7. Triangles of this size are not
 ///   divided, because rounding of positions would distort them.
 /// @throws std::invalid_argument if an option is out of range, or the density is 0 everywhere. Also
-///   thrown if densitiesOf() throws it.
+///   thrown if a value of the density is negative or not finite.
 /// @throws Aborted
 Mesh makeAdaptiveSphere(
   const SphereDensity& density, const AdaptiveSphereOptions& options = {}, const Run& run = {});

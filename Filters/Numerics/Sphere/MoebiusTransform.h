@@ -23,7 +23,8 @@ struct MoebiusTransform
 };
 
 /// Return the point if it is in the interior of the unit ball. Otherwise, return a point in the
-/// interior, in the same direction. Rounding or a large step can place a point outside.
+/// interior, in the same direction. A computed point can be outside because of rounding, or after a
+/// large step of an iterative method.
 Vector3 insideBall(const Vector3& x);
 
 /// Compute the member Center of the composition of two transforms without rotation. The first
@@ -40,8 +41,8 @@ Eigen::Matrix3d closestRotation(
 
 /// Find the transform without rotation that moves the weighted mean of the positions to the center
 /// of the sphere. If one position has half of the total weight or more, there may be no such
-/// transform, or several. In this case, the result brings the mean as close to the center as was
-/// found.
+/// transform, or several. In this case, the result is the best transform that was found: its mean
+/// is closest to the center.
 /// @param[in] spherePositions  #P by 3 unit vectors
 /// @param[in] weights          #P weights, >= 0, not all zero
 MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::VectorXd& weights);

@@ -18,8 +18,8 @@ struct SphereCoverage
   /// the signed solid angles of all triangles, divided by 4 pi. The degree of a one-to-one map is
   /// 1, or -1 if the map reverses orientation.
   int Degree = 0;
-  /// Number of folds: triangles that are clockwise seen from outside, even if rounding errors are
-  /// taken into account
+  /// Number of folds: triangles that are clockwise seen from outside. Triangles that could be
+  /// clockwise because of rounding errors do not count
   Index NumberOfFolds = 0;
 };
 

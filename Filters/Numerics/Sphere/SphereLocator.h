@@ -1,7 +1,7 @@
 /// Find the triangle of a sphere map (triangle mesh on the unit sphere) that contains a direction.
-/// The test on which side of an edge a direction is, is our own construction. The test uses the
-/// same numbers for both triangles of the edge. A direction near the edge is therefore never
-/// outside of both triangles, even if the triangles are tiny.
+/// The test on which side of an edge a direction is, is our own construction. The test computes the
+/// same number for both triangles of the edge. A direction near the edge is therefore never outside
+/// of both triangles, even if the triangles are tiny.
 
 #ifndef ConformalSphereLocator_h
 #define ConformalSphereLocator_h
@@ -59,7 +59,7 @@ private:
   struct Corners
   {
     Vector3 Positions[3];
-    // index in Tree.Items of the triangle across each edge k; edge k is opposite corner k
+    // place in Tree.Items of the triangle across each edge k; edge k is opposite corner k
     int Across[3] = { -1, -1, -1 };
     bool Ascending[3] = {}; // whether each edge k starts at its vertex with the lower id
   };
@@ -70,7 +70,7 @@ private:
   template <typename Visit>
   void visitNear(const Vector3& direction, Visit visit) const;
 
-  BoxTree Tree;
+  BoxTree Tree;                // search tree; Tree.Items are triangle ids, sorted by position
   std::vector<Corners> Placed; // corners of the triangles in Tree.Items
   std::vector<int> PlaceOf;    // index in Tree.Items of each triangle
 };

@@ -11,8 +11,8 @@ namespace conformal
 /// counter-clockwise seen from outside the sphere, and -1 if they are clockwise. If the three
 /// vectors are in a plane through the center, the result is 0. First, the determinant of a, b - a
 /// and c - a is computed in double precision. If rounding errors could change its sign, the
-/// determinant is computed exactly, \cite Shewchuk1997. Its exact value is a sum of doubles whose
-/// bits do not overlap.
+/// determinant is computed exactly, \cite Shewchuk1997. The exact value is stored as a sum of
+/// doubles whose bits do not overlap.
 /// @param[in] a, b, c  vectors of about unit length
 int orientation(const Vector3& a, const Vector3& b, const Vector3& c);
 

@@ -14,7 +14,7 @@
 namespace conformal
 {
 /// Minimum determinant of the three unit vectors of a triangle on the sphere. The determinant is
-/// about twice the area. Triangles above this minimum keep their orientation, even if other
+/// about twice the area. Triangles with a larger determinant keep their orientation, even if other
 /// programs round the unit vectors.
 constexpr double MinimumDeterminant = 1e-13;
 
@@ -28,9 +28,9 @@ constexpr double MinimumDeterminant = 1e-13;
 ///
 /// Implementation note: A is computed as half the determinant of the three unit vectors, which is
 /// slightly less than the area. As a triangle is about to flip, A tends to 0, and the energy to
-/// infinity. The square of SmallArea is added to AreaWeight S^2. The addition has an effect where
-/// areas are too small for double precision, for example at the end of a leg. Elsewhere, it is
-/// negligible.
+/// infinity. In the formula, AreaWeight S^2 is replaced by AreaWeight S^2 + SmallArea^2. The added
+/// term matters where areas are too small for double precision, for example at the end of a leg.
+/// Elsewhere, the term is negligible.
 struct SphereEnergy
 {
   double AreaExponent = 0.35;

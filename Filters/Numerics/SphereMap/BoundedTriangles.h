@@ -13,9 +13,9 @@
 
 namespace conformal
 {
-/// Compute areas and cotangents of triangles from their squared edge lengths. Before this, the
-/// lengths are slightly increased, so that even degenerate triangles have a positive area and
-/// finite cotangents. Areas are scaled so that the whole surface has the area of the unit sphere.
+/// Compute areas and cotangents of triangles from their squared edge lengths. The lengths are first
+/// increased slightly. Even degenerate triangles then have a positive area and finite cotangents.
+/// Areas are scaled so that the whole surface has the area of the unit sphere.
 class BoundedTriangles
 {
 public:

@@ -46,7 +46,8 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 ///
 /// @param[in] strings        weights of the springs: result of cotangentWeights() for the surface.
 ///   To compute the equilibrium, weights are clamped to [0.05, 20].
-/// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad stay so.
+/// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad do not
+///   become bad.
 /// @return whether no bad triangles remain
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,

@@ -49,8 +49,8 @@ struct GlobalConformalMapResult
   /// have reached Tolerance, and no string constant (cotangent weight of an edge) is infinite.
   bool Converged = false;
   Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles, computed in exact arithmetic
-  /// Number of edges with a negative string constant: the sum of the angles opposite to the edge
-  /// exceeds pi
+  /// Number of edges with a negative string constant (cotangent weight): the sum of the angles
+  /// opposite to the edge exceeds pi
   Index NumberOfNegativeStringConstants = 0;
   /// Number of edges with an infinite string constant: an adjacent triangle has zero area
   Index NumberOfInfiniteStringConstants = 0;
@@ -67,9 +67,10 @@ struct GlobalConformalMapResult
 /// 3. Find triangles whose angles are not preserved. Move the vertices of these triangles so that
 ///    angles are preserved better.
 /// 4. If a triangle is flipped or too small, use mapToSphere() instead. This function inserts the
-///    vertices one by one. Several values of its option AreaBalance are tried in ascending order.
-///    The last attempt inserts vertices as if all triangles were equal (option ConnectivityFirst).
-///    This attempt succeeded on every surface tested.
+///    vertices one by one. It has its own option AreaBalance,
+///    ProgressiveSphereMapOptions::AreaBalance. Several values of this option are tried in
+///    ascending order. The last attempt inserts vertices as if all triangles were equilateral, with
+///    equal areas (option ConnectivityFirst). This attempt succeeded on every surface tested.
 ///
 /// If AreaBalance is above 0, steps 1 to 3 are omitted, and only mapToSphere() is used.
 ///

@@ -20,11 +20,11 @@ struct GuYauOptions
 struct GuYauResult
 {
   Points Positions;             ///< #V by 3 unit vectors
-  double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map
+  double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map, else larger
   Index NumberOfIterations = 0; ///< number of steps of both phases
   bool Converged = false;       ///< whether both phases reached the tolerance
-  /// Number of edges with a negative string constant: the sum of the angles opposite to the edge
-  /// exceeds pi
+  /// Number of edges with a negative string constant (stiffness of a spring, see mapByGuYau()): the
+  /// sum of the angles opposite to the edge exceeds pi
   Index NumberOfNegativeStringConstants = 0;
   /// Number of edges with an infinite string constant: an adjacent triangle has zero area
   Index NumberOfInfiniteStringConstants = 0;
@@ -32,11 +32,11 @@ struct GuYauResult
 
 /// Minimize the harmonic energy of a map to the sphere, \cite Gu2004 and \cite Liou2008 section
 /// 4.1. The initial map is the Gauss map, which maps each vertex to its normal. The energy is the
-/// elastic energy of springs along the edges, which are called strings in \cite Gu2004. The string
-/// constant of an edge is the stiffness of its spring. The energy is reduced by steps of gradient
-/// descent, in two phases. The first phase uses equal constants. The second phase uses cotangent
-/// weights, which define the harmonic energy. After each step, the area-weighted mean of the
-/// positions is subtracted, and the positions are normalized.
+/// elastic energy of springs along the edges. The springs are called strings in \cite Gu2004. The
+/// string constant of an edge is the stiffness of its spring. The energy is reduced by steps of
+/// gradient descent, in two phases. The first phase uses equal constants. The second phase uses
+/// cotangent weights, which define the harmonic energy. After each step, the area-weighted mean of
+/// the positions is subtracted, and the positions are normalized.
 ///
 /// Obtuse triangles can cause negative string constants. With negative constants, the map may have
 /// folds (flipped triangles). Triangles of zero area cause infinite constants, which are ignored.

@@ -1,6 +1,6 @@
 /// Map a closed surface of genus zero to the sphere without folds (flipped triangles),
-/// \cite Praun2003. First, the four vertices of a tetrahedron are mapped. All other vertices are
-/// then inserted one by one.
+/// \cite Praun2003. The surface is first simplified to a tetrahedron, whose four vertices are
+/// mapped. All other vertices are then inserted one by one.
 
 #ifndef ConformalProgressiveSphereMap_h
 #define ConformalProgressiveSphereMap_h
@@ -22,12 +22,14 @@ struct ProgressiveSphereMapOptions
   /// Number of sweeps after all vertices are inserted, at least 0. A sweep moves each vertex once
   /// to reduce the energy.
   int NumberOfSweeps = 30;
-  /// Number of sweeps after those of NumberOfSweeps. In these later sweeps, triangles with the
-  /// highest energy have more weight.
+  /// Number of later sweeps, after the sweeps of NumberOfSweeps. In the later sweeps, triangles
+  /// with the highest energy have more weight.
   int NumberOfSmoothingSweeps = 30;
-  /// Treatment of needles (very thin triangles) by QuadricCollapse. Use Thin if large parts of the
-  /// surface are connected by necks that consist of needles. With Keep, the vertices of these parts
-  /// could be inserted only after all vertices of the necks.
+  /// Treatment of needles (very thin triangles) by QuadricCollapse, which simplifies the surface.
+  /// Keep collapses vertices of needles last, and Thin collapses these vertices like other
+  /// vertices. Use Thin if large parts of the surface are connected by necks that consist of
+  /// needles. With Keep, the vertices of these parts could be inserted only after all vertices of
+  /// the necks.
   QuadricCollapse::Needles SurfaceNeedles = QuadricCollapse::Needles::Keep;
   /// Maximum number of relaxations: before some insertions, nearby vertices must be moved to make
   /// space. One relaxation may need one second of running time. If the number is exceeded,
@@ -45,18 +47,19 @@ struct ProgressiveSphereMapResult
   Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles of the result; always 0
   /// Number of relaxations: insertions before which nearby vertices were moved to make space
   Index NumberOfRelaxations = 0;
-  /// Mean over the area of the surface of SphereEnergy, an energy of angles and areas; at least 1
+  /// Mean of SphereEnergy, an energy of angles and areas, over the area of the surface; at least 1
   double Energy = 0.0;
 };
 
 /// Map a closed surface of genus zero one-to-one to the unit sphere, \cite Praun2003. Triangles are
 /// counter-clockwise seen from outside, both on the surface and on the sphere.
 ///
-/// The surface is first collapsed to a tetrahedron. The four vertices of the tetrahedron are placed
-/// on the sphere. All other vertices are then inserted in the reverse sequence of the collapses.
-/// Each vertex is inserted in the kernel of its neighbors' polygon: positions at which no triangle
-/// is flipped. Between and after the insertions, vertices are moved to reduce SphereEnergy, an
-/// energy of angles and areas. Moves that would flip a triangle are rejected.
+/// The surface is first collapsed to a tetrahedron. A collapse removes one vertex. The four
+/// vertices of the tetrahedron are placed on the sphere. All other vertices are then inserted in
+/// the reverse sequence of the collapses. Each vertex is inserted in the kernel of its neighbors'
+/// polygon: positions at which no triangle is flipped. Between and after the insertions, vertices
+/// are moved to reduce SphereEnergy, an energy of angles and areas. Moves that would flip a
+/// triangle are rejected.
 ///
 /// Implementation note: \cite Praun2003 minimizes another energy, called stretch. Here, the energy
 /// of a triangle is its conformal energy (distortion of angles) times a power of S / A. S is the

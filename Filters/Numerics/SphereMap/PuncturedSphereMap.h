@@ -12,8 +12,8 @@ namespace conformal
 {
 /// Choose the triangle to remove before the surface is mapped (the puncture). The triangle is
 /// nearly equilateral, as are the triangles around it. The puncture is not at the end of a limb
-/// (long, thin part of a shape). If the puncture were at the end of a limb, all other triangles on
-/// the sphere would be too small for double precision.
+/// (long, thin part of a shape). A puncture at the end of a limb would make all other triangles on
+/// the sphere too small for double precision.
 Index choosePuncture(const Points& points, const Triangles& triangles);
 
 /// Choose another puncture, given a map of the surface to the sphere. The result is the triangle
@@ -40,7 +40,7 @@ Index choosePuncture(
 /// coefficients of the conjugate's powers are fitted by least squares to the Beltrami coefficients
 /// (measures of non-conformality) of the triangles. The fitted terms are then subtracted from z.
 /// The series is not valid near the puncture, where |z| is large. There, 1/z is computed again as a
-/// harmonic function. The values of 1/z at the border of the region near the puncture are fixed.
+/// harmonic function. At the border of the region near the puncture, the values of 1/z are fixed.
 ///
 /// @param[in] points   #V by 3 positions with coordinates of magnitude about 1
 /// @param[in] strings  weights of the edges: result of cotangentWeights() for the surface

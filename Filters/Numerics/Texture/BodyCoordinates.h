@@ -30,7 +30,7 @@ struct BodyCoordinates
   /// Transformed sphere map, #V by 3 unit vectors. The north pole is (0, 0, 1), and longitude 0 on
   /// the equator is (1, 0, 0).
   Points SpherePositions;
-  /// Points of the surface: both poles, and the point at longitude 0.
+  /// Points of the surface: both poles, and the point that defines longitude 0.
   Vector3 NorthPole, SouthPole, Marker;
 };
 
@@ -44,9 +44,9 @@ struct BodyCoordinates
 /// Longitude 0 passes through the point of the surface closest to MarkerPoint. Without a marker
 /// point, longitude 0 passes through the farthest intersection of the surface with a ray from
 /// Center. The direction of the ray is the x axis, projected to the plane perpendicular to the
-/// rotation axis. If the rotation axis is the x axis, the y axis is projected instead. Seen from
-/// above the north pole, longitude increases counter-clockwise, even if the map to the sphere is
-/// mirrored.
+/// rotation axis. If the angle between the rotation axis and the x axis is below 2.6 degrees, the y
+/// axis is projected instead. Seen from above the north pole, longitude increases
+/// counter-clockwise, even if the map to the sphere is mirrored.
 ///
 /// @param[in] surface  body with its sphere map; all numbers must be finite
 /// @throws std::invalid_argument if there are no triangles, or if numbers are not finite

@@ -37,14 +37,15 @@ struct Picture
 ///   not finite
 SphereDensity pictureDensity(Picture picture, const SphereImage& image);
 
-/// Combine a density with the details of a picture. If points are distributed by the result, half
-/// of them follow `density`, and half are at the details of the picture. Multiplying all values of
-/// the picture by a constant does not change the result. A picture with only one color has no
-/// details. For such a picture, the density is returned unchanged.
+/// Combine a density with the details of a picture. Let points be distributed by the result. One
+/// half of the points then follows `density`, and the other half is at the details of the picture.
+/// Multiplying all values of the picture by a constant does not change the result. A picture with
+/// only one color has no details. For such a picture, the density is returned unchanged.
 /// @param[in] density  density for the half of the points that does not depend on the picture
 /// @param[in] picture  grid of pixels
 /// @param[in] image  position and projection of the picture on the sphere
-/// @throws std::invalid_argument if pictureDensity() throws it
+/// @throws std::invalid_argument if the picture has no pixels, a wrong number of values, or values
+///   that are not finite
 SphereDensity withDetails(
   SphereDensity density, Picture picture, const SphereImage& image, const Run& run = {});
 }

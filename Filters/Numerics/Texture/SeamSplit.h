@@ -21,10 +21,11 @@ struct WrappedPlace
   bool IsOutside;
 };
 
-/// Wrap a position in the plane of the image: replace a position outside of the image as
-/// TextureWrap specifies. TextureWrap::Repeat and Mirror wrap positions only up to a maximum
-/// distance. Beyond this distance, texture coordinates in single precision would be too coarse to
-/// distinguish the pixels of an image.
+/// Wrap a position in the plane of the image. A position outside of the image is replaced as
+/// TextureWrap specifies: the border of the image is extended, or the image is repeated or
+/// mirrored. TextureWrap::Repeat and Mirror wrap positions only up to a maximum distance. Beyond
+/// this distance, texture coordinates in single precision would be too coarse to distinguish the
+/// pixels of an image.
 WrappedPlace wrapped(const Vector2& st, TextureWrap wrap);
 
 /// Cut the triangles along the border of the image, and along the borders between the parts of its

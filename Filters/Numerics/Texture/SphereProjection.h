@@ -47,8 +47,8 @@ struct SphereImage
 
 /// Project a direction stereographically onto the plane tangent to the sphere at the pole of the
 /// view. The unit is the diameter of the sphere. Let theta be the angle between the direction and
-/// the pole. In the plane, the distance of the direction from the pole is then tan(theta / 2). The
-/// direction opposite to the pole is mapped to a point at a very large distance.
+/// the pole. In the plane, the distance from the pole to the projected direction is tan(theta / 2).
+/// The direction opposite to the pole is mapped to a point at a very large distance.
 Vector2 stereographicPlane(const Vector3& n, const SphereView& view);
 
 /// Project a direction to texture coordinates.
@@ -64,8 +64,9 @@ Vector2 sphereToTexture(const Vector3& n, const SphereImage& image);
 Vector3 textureToSphere(const Vector2& st, const SphereImage& image);
 
 /// Part of the sphere on which the projection is smooth, and whose image is connected. The part
-/// consists of the directions n with a . n + b >= 0 for all Borders (a, b). If the triangles of a
-/// surface are cut along these borders, the image of each triangle is connected.
+/// consists of the directions n with a . n + b >= 0 for all Borders (a, b), where a is a vector and
+/// b is a number. If the triangles of a surface are cut along these borders, the image of each
+/// triangle is connected.
 struct SpherePatch
 {
   /// Borders of the part, with one row (a, b) for each border.
@@ -75,7 +76,8 @@ struct SpherePatch
   bool InImage = true;
 };
 
-/// List the parts of the sphere that are separated by the seams and folds of a projection.
+/// List the parts of the sphere that are separated by seams and folds of a projection. At a seam,
+/// the projection is discontinuous. At a fold, it is continuous but not smooth.
 std::vector<SpherePatch> spherePatches(const SphereImage& image);
 
 /// Find the part of the sphere that contains a direction. The result is an index into

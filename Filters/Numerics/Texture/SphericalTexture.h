@@ -31,17 +31,18 @@ constexpr double MaximumScale = 1e3;
 /// section 4.2. The position of the image on the sphere is chosen by chooseSphereView().
 ///
 /// With SplitSeam, the surface is cut along three kinds of lines: seams, where the projection is
-/// discontinuous; folds, where it is not smooth; and borders of the image. After the cut, no
-/// triangle shows the image mirrored or squeezed. The corners of a triangle are either all inside
-/// of the image or all outside. If a cut would be within a thousandth of an edge's length from its
-/// end, the cut is at the end. The projection bends the sides of triangles. The images of thin
-/// triangles can therefore be mirrored. Mirrored triangles are divided at their longest side.
+/// discontinuous; folds, where it is not smooth; and borders of the image. The corners of a
+/// triangle are then either all inside of the image or all outside. If the distance from a cut to
+/// the end of an edge is below a thousandth of the edge's length, the cut is moved to this end. The
+/// projection bends the sides of triangles. Even after the cut, the image of a thin triangle can
+/// therefore be mirrored. A mirrored triangle is divided at its longest side, repeatedly if
+/// necessary. In the result, no triangle shows the image mirrored or squeezed.
 ///
 /// @param[in] points  #V by 3 coordinates, finite
 /// @param[in] triangles  #F by 3 ids in [0, #V), at least one
 /// @param[in] spherePositions  #V by 3 unit vectors
 /// @throws std::invalid_argument if Scale or Margin is out of range, or if chooseSphereView()
-///   throws it
+///   rejects its options
 SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& triangles,
   const Points& spherePositions, const SphericalTextureOptions& options = {}, const Run& run = {});
 }

@@ -23,9 +23,9 @@ struct TwoPictures
   double BlendAngle = 30.0;      ///< width of the blended zone on the sphere, in [0, 180] [degrees]
 };
 
-/// Pixel of the blended image. Front and Back are the pixels of both pictures to interpolate. The
-/// value of the blended pixel is FrontShare times the value of Front, plus (1 - FrontShare) times
-/// the value of Back.
+/// Pixel of the blended image. Front and Back contain the four pixels of each picture to
+/// interpolate, with weights. The value of the blended pixel is FrontShare times the value of
+/// Front, plus (1 - FrontShare) times the value of Back.
 struct BlendedPixel
 {
   PixelMix Front, Back;

@@ -40,8 +40,9 @@ void paintSphericalTexture(const MappedMesh& surface, const SphereImage& image,
   const PixelGrid& grid, const PixelSink& sink, const Run& run = {});
 
 /// Find a point of a second surface, or of a cloud without triangles, for every pixel. First, the
-/// point of the mapped surface is found. Then the closest point of the second surface or cloud is
-/// found. The image can thus show details that the mapped surface does not have.
+/// point of the mapped surface is found. The result is the point of the second surface or cloud
+/// closest to the first point. The image can thus show details that the mapped surface does not
+/// have.
 /// @param[in] cloud  #P by 3 coordinates, finite; at least one point
 /// @param[in] cloudTriangles  #G by 3 ids in [0, #P); empty for a cloud without triangles
 /// @throws std::invalid_argument if there are no pixels, or if the surface has no triangles
@@ -51,13 +52,13 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const PixelSink& sink, const Run& run = {});
 
 /// Find a point of a cloud for every pixel, for a cloud that is distributed over ranks (MPI
-/// processes). First, the point of the mapped surface is found. Then the closest point of the
-/// cloud, or of its triangles, is found. Ranks without points are allowed. If the found point of a
-/// pixel belongs to another rank, the ids on this rank are -1. A cloud without triangles stays
-/// distributed. A cloud with triangles is gathered on each rank.
+/// processes). First, the point of the mapped surface is found. The result is the point of the
+/// cloud, or of its triangles, closest to the first point. Ranks without points are allowed. If the
+/// found point of a pixel belongs to another rank, the ids on this rank are -1. A cloud without
+/// triangles stays distributed. A cloud with triangles is gathered on each rank.
 /// @param[in] surface  complete surface on one rank. The other ranks pass a surface without
 ///   triangles, and any image.
-/// @param[in] reduce  sums over the ranks
+/// @param[in] reduce  object that sums integers over all ranks
 void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const Triangles& cloudTriangles, const SphereImage& image, const PixelGrid& grid,
   const PixelSink& sink, const Reduce& reduce, const Run& run = {});

@@ -61,8 +61,8 @@ struct FloatRounding
   }
 
   /// Test whether rounding changes a coordinate by more than the limit, ToleratedShift times
-  /// size(). If all points coincide, the result is false. If the result is false, rounding cannot
-  /// make two points equal whose distance along an axis exceeds twice the limit.
+  /// size(). If all points coincide, the result is false. If the result is false, points whose
+  /// distance along an axis exceeds twice the limit stay distinct after rounding.
   bool isTooCoarse() const
   {
     return this->size() > 0.0 && this->MaximumShift > ToleratedShift * this->size();

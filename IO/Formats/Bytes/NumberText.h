@@ -49,7 +49,7 @@ const char* readShortDecimal(const char* begin, const char* end, T& value)
 {
   constexpr T powers[] = { T(1e0), T(1e1), T(1e2), T(1e3), T(1e4), T(1e5), T(1e6), T(1e7), T(1e8),
     T(1e9), T(1e10) };
-  constexpr int maximumPower = 10; // 5^10 < 2^24
+  constexpr int maximumPower = 10; // floats represent 10^10 = 2^10 5^10, since 5^10 < 2^24
   constexpr std::uint64_t maximum = std::uint64_t(1) << std::numeric_limits<T>::digits;
   if (FLT_EVAL_METHOD != 0)
   {

@@ -34,10 +34,10 @@ struct ParseLimits
   /// minimumRecordBytes for each record. The memory for all records must not exceed MaximumMemory.
   ///
   /// The error has one of these codes:
-  /// - Malformed: the size of the records in the file would exceed 1 GiB. It would also exceed 1000
-  ///   times the rest of the input.
-  /// - PrematureEnd: the rest of the input is too short, but the code is not Malformed. The file is
-  ///   probably truncated.
+  /// - Malformed: the records would need more than 1 GiB in the file, and more than 1000 times the
+  ///   rest of the input.
+  /// - PrematureEnd: the rest of the input is too short, but one limit of Malformed is not
+  ///   exceeded. The file is probably truncated.
   /// - OutOfMemory: the memory would exceed MaximumMemory.
   ///
   /// @param[in] what                name of the records, for the error message

@@ -41,7 +41,7 @@ struct PLYOptions
 ///
 /// Element "tristrips" defines triangle strips, by the list vertex_indices. In this list, each -1
 /// ends a strip. All triangles of a strip get the same orientation. Triangles with a repeated id
-/// only serve to change the direction of a strip, and are omitted.
+/// only change the direction of a strip, or join strips. They are omitted.
 ///
 /// Element "range_grid" is the grid of cells of a range scanner. Each cell has a list
 /// vertex_indices, which contains one point id or is empty. The header lines obj_info num_cols and

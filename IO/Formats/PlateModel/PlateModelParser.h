@@ -26,9 +26,9 @@ namespace conformal
 SurfaceResult parsePlateModel(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file identify a plate model. The bytes must contain the counts
-/// and three rows of vertices. If only one count is on the first line, the rows of vertices must
-/// have an index I.
+/// Test whether the first bytes of a file identify a plate model. The bytes must begin with a line
+/// of one or two counts: the number of vertices, and optionally the number of plates. Three rows of
+/// vertices must follow. With only one count, the rows must have an index I.
 bool looksLikePlateModel(std::string_view start);
 }
 

@@ -31,7 +31,7 @@ std::string sphereNameOf(const std::string& path);
 
 /// Write a surface as a legacy VTK text file of version 3.0. makeSPHARMSurface() writes the points
 /// of the surface. makeSPHARMSphere() instead writes the positions "SpherePosition", scaled to unit
-/// length. The text has enough digits that parsers read equal numbers.
+/// length. Numbers have enough digits to be read back exactly.
 /// @throws std::invalid_argument if a polygon is not a triangle. makeSPHARMSphere() also throws if
 ///   "SpherePosition" is missing, or a position is zero or not finite
 /// @throws Aborted if the progress callback of `run` returns false

@@ -28,20 +28,21 @@ struct TexturedSurface
 };
 
 /// Write a binary glTF 2.0 file that contains a surface and its picture. As glTF requires,
-/// positions become floats. As glTF requires, the texture coordinate v is counted from the top of
-/// the picture. glTF measures lengths in meters. The node (scene object) of the surface is
-/// therefore scaled by MetersPerUnit. The extras of the asset (further data of the file) contain
-/// MetersPerUnit as "metersPerUnit".
+/// positions become floats, and the texture coordinate v is counted from the top of the picture.
+/// glTF measures lengths in meters. The node (scene object) of the surface is therefore scaled by
+/// MetersPerUnit. The extras of the asset (further data of the file) contain MetersPerUnit as
+/// "metersPerUnit".
 ///
 /// If rounding to floats changes the positions too much (FloatRounding::isTooCoarse()), positions
-/// are relative to the center of the bounding box. The node is then translated to this center.
+/// are relative to the center of the bounding box. The translation of the node is this center.
 /// @param[in] png  picture as a PNG file
 /// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would exceed 4 GiB, the limit of the format
 /// @throws Aborted if the progress callback of `run` returns false
 std::string makeGLB(const TexturedSurface& surface, std::string_view png, const Run& run = {});
 
-/// Return the text of an OBJ file. The surface has the material "surface" of a material file.
+/// Return the text of an OBJ file. The text names the file `materialFile`, and its material
+/// "surface" as the material of all triangles.
 /// @throws Aborted if the progress callback of `run` returns false
 std::string makeOBJ(
   const TexturedSurface& surface, const std::string& materialFile, const Run& run = {});
