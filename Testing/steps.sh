@@ -62,7 +62,7 @@ run_tests()
   fi
   # Without -noreset the server starts anew whenever no window is open, and meanwhile refuses some.
   xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" \
-    ctest --preset "$preset" -j2 "$@" >"$log" 2>&1 || status=$?
+    ctest --preset "$preset" -j"$(($(nproc) + 1))" "$@" >"$log" 2>&1 || status=$? # some of them wait
   if [ "$status" -ne 0 ]; then
     cat "$log"
   else
