@@ -33,12 +33,10 @@ logged()
   fi
 }
 
-# configure PRESET [ARGUMENT...]: of cmake
+# configure PRESET
 configure()
 {
-  local preset=$1
-  shift
-  logged "build/$preset/configure.log" "Configuring build/$preset" cmake --preset "$preset" "${launcher[@]}" "$@"
+  logged "build/$1/configure.log" "Configuring build/$1" cmake --preset "$1" "${launcher[@]}"
 }
 
 # build PRESET [TARGET...]
