@@ -508,26 +508,23 @@ class TestTolerance(unittest.TestCase):
                                        baselines.SQUARE_LEVELS)
 
 
-class TestWebs(unittest.TestCase):
-    def test_before_and_after(self):
+class TestExamplePictures(unittest.TestCase):
+    """Examples that write one picture."""
+
+    def expect_written(self, example, name):
         with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "webs.png")
-            webs.write(path)
+            path = os.path.join(folder, "example.png")
+            example.write(path)
             drawn = vtkPNGReader()
             drawn.SetFileName(path)
             drawn.Update()
-            expect_picture(self, drawn, "Webs")
+            expect_picture(self, drawn, name)
 
+    def test_webs_before_and_after(self):
+        self.expect_written(webs, "Webs")
 
-class TestZebra(unittest.TestCase):
-    def test_reflections(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "zebra.png")
-            zebra.write(path)
-            drawn = vtkPNGReader()
-            drawn.SetFileName(path)
-            drawn.Update()
-            expect_picture(self, drawn, "Zebra")
+    def test_reflections_of_noisy_and_fair_surfaces(self):
+        self.expect_written(zebra, "Zebra")
 
 
 class TestHowItWorks(unittest.TestCase):
