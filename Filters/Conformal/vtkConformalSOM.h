@@ -22,9 +22,9 @@
  *
  * Output port 0: vtkPolyData, a closed triangle mesh through the points, in the coordinates of the
  * input, double precision. The points of the mesh are the neurons of the self-organizing map. An
- * adaptive mesh (triangles of equal size) has NumberOfNeurons points and 2 NumberOfNeurons - 4
- * triangles. A geodesic mesh (triangles of a subdivided icosahedron) has 10 f^2 + 2 points and 20
- * f^2 triangles. The integer f is chosen so that the number of points is nearest to
+ * adaptive mesh (triangles of equal size) has N points and 2 N - 4 triangles, where N is
+ * NumberOfNeurons. A geodesic mesh (triangles of a subdivided icosahedron) has 10 f^2 + 2 points
+ * and 20 f^2 triangles. The integer f is chosen so that the number of points is nearest to
  * NumberOfNeurons.
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
  *   For a geodesic mesh, it is the vector n_i of the paper: the fixed position of neuron i on the
@@ -222,13 +222,21 @@ public:
 
   ///@{
   /**
-   * Number of points of the mesh. A geodesic mesh has the nearest number of the form 10 f^2 + 2
-   * with an integer f. In [12, 10000002]. Default is 12,962, which is 10 f^2 + 2 for f = 36.
+   * Number of points of the mesh. 0 (default): the number is chosen automatically. Otherwise, the
+   * number must be in [12, 10000002]. A geodesic mesh has the nearest number of the form 10 f^2 + 2
+   * with an integer f.
+   *
+   * The automatic number is 12,962 (f = 36), except for an adaptive mesh (see MeshType) learned
+   * from fewer than 38,886 points. For such points, the number depends on the number of points and
+   * their noise. Without noise, the mesh has 1.5 times as many points as the input, but at most
+   * 12,962. With noise, every fifth point is left out, and meshes are learned from the others.
+   * Their distances from the points that were left out determine the number. The automatic number
+   * is also 12,962 if learning starts from the polygons of the input, see StartingShape.
    *
    * The integer f is the frequency of vtkGeodesicSphereSource. Training needs about 1 KiB of memory
    * for each point of the mesh.
    */
-  vtkSetClampMacro(NumberOfNeurons, int, 12, 10000002);
+  vtkSetClampMacro(NumberOfNeurons, int, 0, 10000002);
   vtkGetMacro(NumberOfNeurons, int);
   ///@}
 
@@ -447,7 +455,7 @@ private:
   void operator=(const vtkConformalSOM&) = delete;
 
   int MeshType = AUTOMATIC_MESH;
-  int NumberOfNeurons = 12962;
+  int NumberOfNeurons = 0;
   int TrainingMode = BATCH;
   char* PriorityArrayName = nullptr;
   int RandomSeed = 1;

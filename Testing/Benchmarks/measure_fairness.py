@@ -7,8 +7,8 @@
 Points are uniform on an object, with Gaussian noise of standard deviation s along each axis. Lengths are divided by
 the object's largest radius. Columns: root mean square distance of the smooth surface's vertices from the object;
 root mean square and mean angle between its facets and the object's normals, in degrees; root mean square angle of
-the surface's own normals; NoiseLevel / s (NoiseLevel for s = 0); EffectiveDegreesOfFreedom; seconds of the processor
-for learning. The objects are known by equations, or are scans whose triangles are taken for the truth.
+the surface's own normals; NoiseLevel / s (NoiseLevel for s = 0); EffectiveDegreesOfFreedom; number of neurons;
+seconds of the processor for learning. The objects are known by equations, or are scans whose triangles are taken for the truth.
 """
 import argparse
 import os
@@ -170,7 +170,7 @@ def row(truth, s, arguments):
     level, freedom = (fields.GetArray(name).GetValue(0) if fields.GetArray(name) else float("nan")
                       for name in ("NoiseLevel", "EffectiveDegreesOfFreedom"))
     return (rms(truth.distances(x[::truth.stride])) / radius, rms(facets), facets.mean(), rms(own),
-            level / radius / (s or 1.0), freedom, seconds)
+            level / radius / (s or 1.0), freedom, network.GetOutput().GetNumberOfPoints(), seconds)
 
 
 def main():
@@ -183,14 +183,14 @@ def main():
     parser.add_argument("--scans", default="../shared/data", help="folder of the scans")
     arguments = parser.parse_args()
     print(f"{'object':13}{'s':>7}{'distance':>10}{'facets':>8}{'mean':>8}{'normals':>8}{'noise':>7}{'freedom':>9}"
-          f"{'seconds':>8}")
+          f"{'neurons':>8}{'seconds':>8}")
     for name in arguments.objects.split(","):
         truth = Scan(os.path.join(arguments.scans, SCANS[name]), arguments.points or 60000) if name in SCANS \
             else Shape(name, arguments.points or 40000)
         for s in map(float, arguments.noise.split(",")):
-            distance, facets, mean, own, level, freedom, seconds = row(truth, s, arguments)
+            distance, facets, mean, own, level, freedom, neurons, seconds = row(truth, s, arguments)
             print(f"{name:13}{s:7.4f}{distance:10.2e}{facets:8.3f}{mean:8.3f}{own:8.3f}{level:7.3f}{freedom:9.0f}"
-                  f"{seconds:8.2f}", flush=True)
+                  f"{neurons:8}{seconds:8.2f}", flush=True)
 
 
 if __name__ == "__main__":

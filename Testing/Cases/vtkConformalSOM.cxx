@@ -184,7 +184,7 @@ std::vector<Mirror> Mirrors()
   const conformal::ConformalSOMOptions options;
   vtkNew<vtkConformalSOM> filter;
   vtkNew<vtkConformalSOM> few, many;
-  few->SetNumberOfNeurons(1);
+  few->SetNumberOfNeurons(-1);
   many->SetNumberOfNeurons(VTK_INT_MAX);
   using conformal::HullMethod;
   using conformal::MeshType;
@@ -193,7 +193,7 @@ std::vector<Mirror> Mirrors()
   using conformal::TrainingMode;
   return { Same("MeshType", filter->GetMeshType(), static_cast<int>(options.MeshType)),
     Same("NumberOfNeurons", filter->GetNumberOfNeurons(), options.NumberOfNeurons),
-    Same("NumberOfNeurons", few->GetNumberOfNeurons(), conformal::MinimumNeurons),
+    Same("NumberOfNeurons", few->GetNumberOfNeurons(), conformal::AutomaticNeurons),
     { "NumberOfNeurons",
       conformal::geodesicFrequencyFor(many->GetNumberOfNeurons()) <= conformal::MaximumFrequency },
     Same("TrainingMode", filter->GetTrainingMode(), static_cast<int>(options.TrainingMode)),

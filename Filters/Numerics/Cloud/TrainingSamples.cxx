@@ -142,6 +142,24 @@ TrainingSamples::TrainingSamples(const PointView& points, const NumberView& weig
   }
 }
 
+TrainingSamples TrainingSamples::selected(const std::function<bool(Index)>& keep) const
+{
+  TrainingSamples result = *this;
+  Index sample = 0;
+  result.Kept = KeptIds(this->View.size(),
+    [&](Index id)
+    {
+      if (sample == this->Size || this->id(sample) != id)
+      {
+        return false;
+      }
+      return keep(this->firstOfTotal() + sample++);
+    });
+  result.Size = result.Kept.size();
+  result.OfAll = shareOf(this->Sums, result.Size);
+  return result;
+}
+
 void TrainingSamples::setNormals(const PointView& normals)
 {
   if (normals.size() != this->View.size())

@@ -57,6 +57,10 @@ public:
   /// also be true.
   bool weighted() const { return this->Weighted; }
 
+  /// Return some of these samples, in the same coordinates. Call this function on all ranks.
+  /// @param[in] keep  test of a sample, by its position in the sequence of the samples of all ranks
+  TrainingSamples selected(const std::function<bool(Index)>& keep) const;
+
   /// Set the normals of the points: #P by 3 vectors of any length, not copied. A normal that is
   /// zero or not finite is unknown. Call this function either on all ranks or on no rank.
   /// @throws std::invalid_argument if the number of normals differs from the number of points

@@ -6,6 +6,7 @@
 #include "Cloud/SampleRotation.h"
 #include "Learn/FirstSurface.h"
 #include "Learn/Fit/SurfaceSupport.h"
+#include "Learn/NeuronSearch.h"
 #include "Learn/Online/OnlineTraining.h"
 #include "Learn/StartSearch.h"
 #include "Mesh/GeodesicSphere.h"
@@ -55,8 +56,8 @@ void check(const ConformalSOMOptions& options)
   require(!online || options.MeshType != MeshType::Adaptive,
     "an adaptive mesh is learned in Batch mode only; set TrainingMode to Batch, or MeshType to "
     "Geodesic or Automatic");
-  require(options.NumberOfNeurons >= MinimumNeurons,
-    "NumberOfNeurons must be at least " + std::to_string(MinimumNeurons));
+  require(options.NumberOfNeurons == AutomaticNeurons || options.NumberOfNeurons >= MinimumNeurons,
+    "NumberOfNeurons must be 0 (automatic) or at least " + std::to_string(MinimumNeurons));
   check(options.Online);
   require(options.Batch.PassesPerLevel >= 0, "PassesPerLevel must not be negative");
   require(options.Batch.SamplesPerNeuron >= 1, "SamplesPerNeuron must be at least 1");
@@ -92,11 +93,8 @@ Points firstWeights(
   {
     return network;
   }
-  Points weights = resample(mesh->SpherePositions, mesh->Positions, mesh->Triangles, network, run);
-  for (Index i = 0; i < weights.rows(); ++i)
-  {
-    weights.row(i) = samples.normalize(weights.row(i));
-  }
+  Points weights = samples.normalizeAll(
+    resample(mesh->SpherePositions, mesh->Positions, mesh->Triangles, network, run));
   requireNear(weights);
   return weights;
 }
@@ -122,7 +120,8 @@ ConformalSOMResult learnOnline(const TrainingSamples& samples, const ConformalSO
 {
   OnlineTrainingOptions online;
   static_cast<OnlineOptions&>(online) = options.Online;
-  online.Frequency = geodesicFrequencyFor(options.NumberOfNeurons);
+  online.Frequency = geodesicFrequencyFor(
+    options.NumberOfNeurons == AutomaticNeurons ? UsualNeurons : options.NumberOfNeurons);
   online.ReferencePoint = options.ReferencePoint;
   online.RandomSeed = options.RandomSeed;
   Steps steps(run, { 0.02, 0.96, 0.02 }); // progress: first weights, learning, support
@@ -151,7 +150,7 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   Steps steps(run, { isGeodesic ? 1.0 : 0.8, isGeodesic ? 0.0 : 0.2 });
   ConformalSOMResult result = options.TrainingMode == TrainingMode::Online
     ? learnOnline(samples, options, mesh, steps.next())
-    : learnFromBestStart(samples, options, mesh, steps.next());
+    : learnWithNeurons(samples, options, mesh, steps.next());
   if (!isGeodesic)
   {
     GlobalConformalMapResult map = globalConformalMap(result, {}, steps.next());
@@ -167,11 +166,7 @@ std::vector<double> quantizationErrors(const TrainingSamples& samples,
   const ConformalSOMResult& result, const ConformalSOMOptions& options, const Run& run)
 {
   Steps steps(run, { 0.1, 0.9 }); // progress: tree, foot points
-  Points weights = result.Positions;
-  for (Index i = 0; i < weights.rows(); ++i)
-  {
-    weights.row(i) = samples.normalize(weights.row(i));
-  }
+  const Points weights = samples.normalizeAll(result.Positions);
   FixedPointSums squares(weights.rows()), counts(weights.rows());
   const TriangleTree tree(weights, result.Triangles, steps.next());
   SampleRotation rotation(samples, options.RandomSeed);

@@ -56,14 +56,18 @@ enum class StartingShape
 
 /// Minimum number of neurons: the number of vertices of an icosahedron.
 constexpr Index MinimumNeurons = 12;
+/// Value of ConformalSOMOptions::NumberOfNeurons for which the number is chosen (NeuronSearch.h).
+constexpr Index AutomaticNeurons = 0;
+/// Number of neurons of the geodesic mesh of frequency 36, and largest number that is chosen.
+constexpr Index UsualNeurons = 12962;
 
 /// Options of trainConformalSOM().
 struct ConformalSOMOptions
 {
   conformal::MeshType MeshType = conformal::MeshType::Automatic;
-  /// Requested number of neurons, at least MinimumNeurons. A geodesic mesh has the nearest number
-  /// of the form 10 f^2 + 2, where f is an integer.
-  Index NumberOfNeurons = 12962;
+  /// Requested number of neurons: AutomaticNeurons, or at least MinimumNeurons. A geodesic mesh has
+  /// the nearest number of the form 10 f^2 + 2, where f is an integer.
+  Index NumberOfNeurons = AutomaticNeurons;
   conformal::TrainingMode TrainingMode = conformal::TrainingMode::Batch;
   conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;
   /// Method by which a hull is made, if learning starts from a hull.

@@ -52,18 +52,13 @@ bool spansGapsOrLimbs(
     unsupportedFraction(samples, mesh.Positions, mesh.Triangles, masses) > ToleratedArea;
 }
 
-double edgeFor(double area, Index vertices)
-{
-  return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(vertices));
-}
-
 /// Compute the spacing of the hull's grid, in units of the maximum radius. If the hull is made by
 /// winding numbers, the grid may be finer than the spacing of the samples.
 double hullSpacing(const TrainingSamples& samples, Index neurons, HullMethod method)
 {
   constexpr double coarsest = GenusZeroHullLimits::MaximumSpacing;
   const double factor = method == HullMethod::WindingNumbers ? 0.25 : 0.6;
-  const double forMesh = SpacingForEdge * edgeFor(TypicalArea, neurons);
+  const double forMesh = SpacingForEdge * equalEdgeLength(TypicalArea, neurons);
   return std::clamp(factor * std::sqrt(TypicalArea / static_cast<double>(samples.totalSize())),
     std::clamp(forMesh, FinestSpacing, coarsest), coarsest);
 }

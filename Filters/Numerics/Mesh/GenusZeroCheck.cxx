@@ -409,6 +409,13 @@ double surfaceArea(const PointView& points, const Triangles& triangles)
 }
 
 //------------------------------------------------------------------------------
+double equalEdgeLength(double area, Index numberOfVertices)
+{
+  // There are two triangles for each vertex.
+  return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(numberOfVertices));
+}
+
+//------------------------------------------------------------------------------
 Index mergeCoincidentBoundaryPoints(
   Triangles& triangles, const PointView& points, const GenusZeroReport& mesh)
 {

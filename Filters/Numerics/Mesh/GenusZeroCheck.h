@@ -81,6 +81,10 @@ double signedVolume(const PointView& points, const Triangles& triangles);
 /// Compute the sum of the areas of the triangles.
 double surfaceArea(const PointView& points, const Triangles& triangles);
 
+/// Compute the edge length of a closed mesh of equal equilateral triangles.
+/// @param[in] area  area of the mesh
+double equalEdgeLength(double area, Index numberOfVertices);
+
 /// Weld points of boundary edges: among points with equal coordinates, use only the point with the
 /// smallest id. Call this function for triangles from a file that stores three separate points for
 /// each triangle. Points that are on no boundary edge are not welded. Closed surfaces that touch

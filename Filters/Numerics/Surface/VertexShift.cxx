@@ -76,11 +76,7 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
   const Triangles& triangles = mesh.Triangles;
   Steps steps(run, { 0.3, 0.7 });
   const Run preparing = steps.next().unwatched();
-  Points positions = mesh.Positions;
-  for (Index i = 0; i < positions.rows(); ++i)
-  {
-    positions.row(i) = samples.normalize(mesh.Positions.row(i));
-  }
+  const Points positions = samples.normalizeAll(mesh.Positions);
   const Adjacency around = vertexTriangles(triangles, positions.rows());
   const Points normals = vertexNormals(positions, triangles, around, preparing);
   const CurvedTriangles raised(positions, normals, triangles);

@@ -1,6 +1,7 @@
 #include "Cloud/TrainingSamples.h"
 
 #include "Base/Random.h"
+#include "Ranks.h"
 #include "Runs.h"
 
 #include <gtest/gtest.h>
@@ -121,6 +122,40 @@ TEST(TrainingSamples, LeavesOutWhatIsNotFiniteSkippedOrOfNoWeight)
   EXPECT_LT((samples.restore(samples[3]) - Vector3(points.row(5))).norm(), 1e-15);
   const std::vector<double> few = { 1.0, 2.0 };
   EXPECT_THROW(TrainingSamples(points, few), std::invalid_argument);
+}
+
+TEST(TrainingSamples, SelectedSamplesKeepTheirCoordinates)
+{
+  const Points points = cloud(100);
+  std::vector<double> weights(points.rows(), 1.0);
+  weights[2] = 0.0; // left out, so that sample 2 is point 3
+  const TrainingSamples all(points, weights);
+  const auto isThird = [](Index i) { return i % 3 == 2; };
+  const TrainingSamples thirds = all.selected(isThird);
+  const TrainingSamples others = all.selected([&](Index i) { return !isThird(i); });
+  ASSERT_EQ(all.size(), 99);
+  ASSERT_EQ(thirds.totalSize(), 33);
+  ASSERT_EQ(others.totalSize(), 66);
+  EXPECT_EQ(thirds.restore(thirds[0]), all.restore(all[2]));
+  for (Index i = 0; i < thirds.size(); ++i)
+  {
+    EXPECT_EQ(thirds[i], all[3 * i + 2]);
+    EXPECT_EQ(others[2 * i], all[3 * i]);
+    EXPECT_EQ(others[2 * i + 1], all[3 * i + 1]);
+  }
+  ranks::run(2,
+    [&](const conformal::Reduce& reduce)
+    {
+      const Index first = 50 * reduce.Rank;
+      const Points own = points.middleRows(first, 50);
+      const std::vector<double> share(weights.begin() + first, weights.begin() + first + 50);
+      const TrainingSamples part = TrainingSamples(own, share, {}, reduce).selected(isThird);
+      EXPECT_EQ(part.totalSize(), 33);
+      for (Index i = 0; i < part.size(); ++i)
+      {
+        EXPECT_EQ(part[i], thirds[part.firstOfTotal() + i]);
+      }
+    });
 }
 
 TEST(TrainingSamples, DimensionTellsFlatClouds)

@@ -135,7 +135,7 @@ ConformalSOMOptions batch(int frequency)
 TEST(ConformalSOM, DefaultsAreThePapers)
 {
   const ConformalSOMOptions options;
-  EXPECT_EQ(conformal::geodesicFrequencyFor(options.NumberOfNeurons), 36);
+  EXPECT_EQ(conformal::geodesicFrequencyFor(conformal::UsualNeurons), 36);
   EXPECT_EQ(options.Online.NumberOfEpochs, 80);
   EXPECT_EQ(options.Online.SamplesPerEpoch, 8000);
   EXPECT_EQ(options.Online.InitialNeighborhoodRadius, 0.4);

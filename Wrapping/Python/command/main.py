@@ -82,8 +82,8 @@ def arguments(argv):
                         "sphere (geodesic), or adaptive unless the points lie in a plane (automatic)")
     parser.add_argument("--lattice", action=Renamed, new="--mesh-type", help=argparse.SUPPRESS)
     parser.add_argument("--neurons", type=size, metavar="N",
-                        help="number of points of the learned mesh, default 12962; "
-                             "for a geodesic mesh the nearest 10 f^2 + 2")
+                        help="number of points of the learned mesh; by default, the number of points of the "
+                             "scan and their noise determine it, up to 12962; for a geodesic mesh the nearest 10 f^2 + 2")
     parser.add_argument("--points", type=size, metavar="N",
                         help="approximate minimum number of points of the smooth surface; default 64002")
     parser.add_argument("--measure", action="store_true",

@@ -53,12 +53,6 @@ RemeshingOptions remeshingTo(Index vertices, int iterations)
   return options;
 }
 
-/// Compute the edge length of the given number of vertices spread evenly over an area.
-double edgeFor(double area, Index vertices)
-{
-  return std::sqrt(2.0 / std::sqrt(3.0) * area / static_cast<double>(vertices));
-}
-
 struct Noise
 {
   double ToDetail = 0.0, Variance = 0.0;
@@ -93,7 +87,7 @@ double smoothnessFor(const Noise& noise, const LearnedMesh& result, Index count)
 {
   const auto vertices = static_cast<double>(result.Positions.rows());
   const double edge =
-    edgeFor(surfaceArea(result.Positions, result.Triangles), result.Positions.rows());
+    equalEdgeLength(surfaceArea(result.Positions, result.Triangles), result.Positions.rows());
   const double bending = TypicalBending * edge * edge;
   return noise.Variance > 0.0
     ? noise.Variance / (bending * bending * static_cast<double>(count) / vertices)
@@ -108,7 +102,7 @@ double residue(const TrainingSamples& samples, const LeastSquaresFitOptions& fit
   const double error = typicalSquareError(samples, result.Positions, result.Triangles,
     fitting.SamplesPerIteration / Coarser, run.unwatched());
   const double area = surfaceArea(result.Positions, result.Triangles);
-  return std::sqrt(noiseVariance(error, error)) / edgeFor(area, result.Positions.rows());
+  return std::sqrt(noiseVariance(error, error)) / equalEdgeLength(area, result.Positions.rows());
 }
 
 /// Fit the first turn. A surface that follows noise crumples, which hides the noise. If the residue
