@@ -28,7 +28,7 @@ constexpr double NegligibleNoise = 1e-4; // of the radius
 
 // A square distance counts at most this number of times the typical square distance, which is 0.28
 // times the variance of Gaussian noise. Outliers thus do not decide.
-constexpr double MaximumOfTypical = 100.0;
+constexpr double MaximumOfTypical = 1000.0;
 
 /// Square distances of samples from a mesh that was learned without them.
 struct Trial
