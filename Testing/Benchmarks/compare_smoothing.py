@@ -31,7 +31,7 @@ from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
 
 from conformalsom import vtkConformalSOM
 
-from curvature_error import curvature_error
+from curvature_error import Curvature, curvature_error
 from helpers.clouds import cloud_of, points_of, vtk_points
 from known_objects import (facet_normals, known_object, largest_radius, mismatch, smooth_surface, triangles_of)
 
@@ -176,14 +176,16 @@ def main():
           f"{'pieces':>7}{'seconds':>8}")
     for name in arguments.objects.split(","):
         truth = known_object(name, arguments.scans, arguments.points)
-        radius, mesh, normals = largest_radius(points_of(truth.mesh())), truth.mesh(), truth.normals(truth.points)
+        mesh, normals = truth.mesh(), truth.normals(truth.points)
+        radius = largest_radius(points_of(mesh))
         mesh.SetPoints(vtk_points(points_of(mesh) / radius))
+        curvature = Curvature(mesh)
         for s in map(float, arguments.noise.split(",")):
             points = truth.points / radius + s * np.random.default_rng(101).normal(size=truth.points.shape)
             for method, surface, seconds in surfaces(points, normals, map(int, arguments.depths.split(","))):
                 off, p2s, angle = mismatch(surface, mesh)
                 print(f"{name:13}{s:7.4f}  {method:23}{angle:8.2f}{off:10.2e}{p2s:10.2e}"
-                      f"{curvature_error(surface, mesh):10.2f}{surface.GetNumberOfPolys():10,}{pieces(surface):7}"
+                      f"{curvature_error(surface, curvature):10.2f}{surface.GetNumberOfPolys():10,}{pieces(surface):7}"
                       f"{seconds:8.1f}", flush=True)
 
 

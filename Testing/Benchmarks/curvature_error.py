@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator, 
 from helpers.clouds import cloud_of, points_of, vtk_points
 from known_objects import Shape, ellipsoid, facet_normals, gradient, rms, spread, triangles_of
 
-RADIUS, SAMPLES = 0.03, 5000
+RADIUS, SAMPLES = 0.03, 3000
 
 
 def vertex_normals(x, triangles):
@@ -71,9 +71,9 @@ class Curvature:
         return np.array(result)
 
 
-def curvature_error(surface, reference_mesh, radius=RADIUS, samples=SAMPLES):
-    """Both are closed triangle meshes with outward normals, in units in which radius makes sense."""
-    model, truth = Curvature(surface, radius), Curvature(reference_mesh, radius)
+def curvature_error(surface, truth, samples=SAMPLES):
+    """surface is a closed triangle mesh, and truth the Curvature of the reference. Both have outward normals."""
+    model = Curvature(surface, truth.radius)
     x, _ = spread(points_of(surface), triangles_of(surface), samples, np.random.default_rng(1))
     return rms(model.closest(x) - truth.closest(x))
 
