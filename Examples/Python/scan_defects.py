@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What comes out of a scan with holes, hidden sides, noise, outliers, scan lines or few points?
+"""What comes out of a scan with holes, hidden sides, noise, outliers, scan lines, few points, or of a depth camera?
 
 Spreads points over closed models (in any format that quickstart.py opens; default: a toy bear made by
 code), spoils them in several ways, learns each with the default settings and prints how far the mesh is
@@ -19,10 +19,10 @@ from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from conformalsom import vtkConformalSOM
 from conformalsom.command import scan_files
 
-from helpers import builtin_figure
+from helpers import builtin_figure, depth_camera
 from helpers.clouds import cloud_of, vtk_points
 
-COLUMNS = ("s2p", "web %", "miss %", "inverted %", "volume", "area", "time", "warnings")
+COLUMNS = ("s2p", "web %", "miss %", "inverted %", "normals", "volume", "area", "time", "warnings")
 AXES = np.eye(3)
 
 
@@ -138,6 +138,9 @@ def defects(model, count):
     dense, directions = model.sampled(4 * count, random)
     taken = random.random_sample(len(dense)) < np.where(dense[:, 0] > 0.0, 0.5, 0.005)
     yield "uneven 10 : 1", dense[taken], directions[taken], everywhere
+    for images in (18000, 9000):
+        seen, _, directions = depth_camera.scanned(model.locator, model.normals, images, 0.005, random)
+        yield f"camera {images}", seen, directions, everywhere
 
 
 def clouds(model, args):
@@ -179,13 +182,14 @@ def measured(model, mesh, known, time_ratio, warnings):
     points, normals = mesh.sampled(20000, np.random.RandomState(7))
     distances, nearest = model.closest(points)
     there = known(points)
-    inverted = (normals * model.normals[nearest]).sum(axis=1) < 0.0
+    cosines = (normals * model.normals[nearest]).sum(axis=1)
+    angles = np.degrees(np.arccos(np.clip(cosines[there], -1.0, 1.0)))
     others, _ = model.sampled(20000, np.random.RandomState(8))
     missed, _ = mesh.closest(others)
     return dict(zip(COLUMNS, (
         (distances[there] ** 2).mean(), 100.0 * (distances[there] > 0.02).mean(),
-        100.0 * (missed[known(others)] > 0.02).mean(), 100.0 * inverted[there].mean(),
-        mesh.volume / model.volume, mesh.sizes.sum() / model.sizes.sum(), time_ratio,
+        100.0 * (missed[known(others)] > 0.02).mean(), 100.0 * (cosines[there] < 0.0).mean(),
+        np.sqrt((angles**2).mean()), mesh.volume / model.volume, mesh.sizes.sum() / model.sizes.sum(), time_ratio,
         warnings)))
 
 
@@ -218,7 +222,8 @@ def main():
     print("Lengths: the model's largest radius is 1. Figures farther than 0.03 from what is missing.\n"
           "s2p: mean square distance of the mesh to the model; web: share of the mesh farther than\n"
           "0.02 from it; miss: share of the model farther than 0.02 from the mesh; inverted: share of\n"
-          "the mesh that faces against the model; volume and area: of the model's.")
+          "the mesh that faces against the model; normals: root mean square angle between the normals of\n"
+          "mesh and model, in degrees; volume and area: of the model's.")
 
 
 if __name__ == "__main__":
