@@ -23,6 +23,10 @@ class Outline(ast.NodeTransformer):
         self.scope.pop()
         return node
 
+    def visit_ImportFrom(self, node):  # pylint: disable=invalid-name
+        """Leave out imports that are of no use in a stub."""
+        return None if node.module == "__future__" else node
+
     def visit_FunctionDef(self, node):  # pylint: disable=invalid-name
         """Keep the signature and the text of a public function."""
         if node.name.startswith("_") and not node.name.startswith("__") and node.name not in PUBLIC:
@@ -32,8 +36,9 @@ class Outline(ast.NodeTransformer):
                 add_keywords(node.args, *ast.literal_eval(decorator.args[0]).split(),
                              {word.arg: ast.literal_eval(word.value) for word in decorator.keywords})
         node.decorator_list = [decorator for decorator in node.decorator_list if not isinstance(decorator, ast.Call)]
-        text = inspect.getdoc(getattr(self.scope[-1], node.name))
-        node.body = [ast.Expr(ast.Constant(text))] if ast.get_docstring(node) else [ast.Expr(ast.Constant(...))]
+        text = ast.get_docstring(node) and inspect.getdoc(getattr(self.scope[-1], node.name))
+        indented = (text or "").replace("\n", "\n" + "    " * len(self.scope))
+        node.body = [ast.Expr(ast.Constant(indented if text else ...))]
         return node
 
 

@@ -65,9 +65,9 @@ def to_pyvista(surface: "Surface") -> typing.Any:
 
 def to_trimesh(surface: "Surface") -> typing.Any:
     """Return a copy of a surface as trimesh.Trimesh."""
-    import trimesh  # pylint: disable=import-outside-toplevel
+    import trimesh.visual  # pylint: disable=import-outside-toplevel
     if surface.image is None:
-        attributes = {name: np.array(values) for name, values in surface.point_data.items()}
+        attributes: typing.Dict[str, typing.Any] = {name: np.array(values) for name, values in surface.point_data.items()}
         return trimesh.Trimesh(np.array(surface.points), np.array(surface.faces), vertex_attributes=attributes,
                                metadata=surface.quality, process=False)
     from PIL import Image  # pylint: disable=import-outside-toplevel

@@ -85,7 +85,7 @@ def cloud_of(points: typing.Any) -> vtkPolyData:
 def as_floats(array: "npt.NDArray[typing.Any]") -> typing.Any:
     """Return an array of VTK over the memory of 32 or 64 bit floats, or over a copy of other numbers."""
     type_ = array.dtype.newbyteorder("=") if array.dtype in (np.float32, np.float64) else np.dtype(np.float64)
-    return numpy_to_vtk(np.require(array, type_, "CW"), deep=False)
+    return numpy_to_vtk(np.ascontiguousarray(array, type_), deep=False)
 
 
 def with_triangles(mesh: vtkPolyData, faces: typing.Any) -> vtkPolyData:
@@ -121,11 +121,10 @@ def read(path: Path) -> typing.Any:
     """
     name = os.fspath(path)
     reader_class = scan_files.reader_class(name)
-    if reader_class is None:
-        if not os.path.exists(name):
-            raise missing(name, os.strerror(errno.ENOENT))
-        scan_files.scan_reader(name)  # raises an error that lists the known types
-    reader = reader_class()
+    if reader_class is None and not os.path.exists(name):
+        raise missing(name, os.strerror(errno.ENOENT))
+    # Without a class, scan_reader() raises an error that lists the known types.
+    reader: typing.Any = scan_files.scan_reader(name) if reader_class is None else reader_class()
     reader.SetFileName(name)
     try:
         run(reader)

@@ -46,7 +46,7 @@ def run(algorithm: typing.Any, progress: Progress = False) -> typing.List[str]:
 
 def is_empty(algorithm: typing.Any) -> bool:
     """Return whether a filter made a surface without points; its warning then states the reason."""
-    output = algorithm.GetOutputDataObject(0) if algorithm.GetNumberOfOutputPorts() else None
+    output: typing.Any = algorithm.GetOutputDataObject(0) if algorithm.GetNumberOfOutputPorts() else None
     return isinstance(output, vtkPointSet) and output.GetNumberOfPoints() == 0
 
 
