@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <exception>
+#include <initializer_list>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -36,7 +37,8 @@ public:
     else
     {
       const char* text = static_cast<const char*>(data);
-      (event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings).emplace_back(text ? text : "");
+      auto& texts = event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings;
+      texts.emplace_back(text ? text : "");
     }
   }
 
@@ -67,8 +69,8 @@ struct vtkBackgroundUpdate::State
   void Observe()
   {
     this->Algorithm->AddObserver(vtkCommand::ProgressEvent, this->Heard);
-    for (vtkObject* source : { static_cast<vtkObject*>(this->Algorithm),
-           static_cast<vtkObject*>(this->Executive) })
+    const std::initializer_list<vtkObject*> sources = { this->Algorithm, this->Executive };
+    for (vtkObject* source : sources)
     {
       source->AddObserver(vtkCommand::ErrorEvent, this->Heard);
       source->AddObserver(vtkCommand::WarningEvent, this->Heard);

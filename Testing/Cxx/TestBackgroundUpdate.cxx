@@ -1,5 +1,5 @@
-// vtkBackgroundUpdate runs filters and readers on other threads: results are those of Update(), an abort ends
-// the run, and messages are kept.
+// vtkBackgroundUpdate runs filters and readers on other threads: results are those of Update(), an
+// abort ends the run, and messages are kept.
 #include "vtkBackgroundUpdate.h"
 
 #include "FilterContract.h"
@@ -57,12 +57,13 @@ TEST(BackgroundUpdate, TwoAtATimeHaveTheResultOfUpdate)
   ASSERT_GT(expected->GetOutput()->GetNumberOfPoints(), 0);
   for (vtkConformalSOM* network : { first.Get(), second.Get() })
   {
-    ASSERT_EQ(network->GetOutput()->GetNumberOfPoints(), expected->GetOutput()->GetNumberOfPoints());
-    for (vtkIdType i = 0; i < expected->GetOutput()->GetNumberOfPoints(); ++i)
+    vtkPolyData* output = network->GetOutput();
+    ASSERT_EQ(output->GetNumberOfPoints(), expected->GetOutput()->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
       for (int c = 0; c < 3; ++c)
       {
-        ASSERT_EQ(network->GetOutput()->GetPoint(i)[c], expected->GetOutput()->GetPoint(i)[c]);
+        ASSERT_EQ(output->GetPoint(i)[c], expected->GetOutput()->GetPoint(i)[c]);
       }
     }
   }

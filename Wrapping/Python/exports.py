@@ -67,7 +67,8 @@ def to_trimesh(surface: "Surface") -> typing.Any:
     """Return a copy of a surface as trimesh.Trimesh."""
     import trimesh.visual  # pylint: disable=import-outside-toplevel
     if surface.image is None:
-        attributes: typing.Dict[str, typing.Any] = {name: np.array(values) for name, values in surface.point_data.items()}
+        attributes: typing.Dict[str, typing.Any] = {
+            name: np.array(values) for name, values in surface.point_data.items()}
         return trimesh.Trimesh(np.array(surface.points), np.array(surface.faces), vertex_attributes=attributes,
                                metadata=surface.quality, process=False)
     from PIL import Image  # pylint: disable=import-outside-toplevel

@@ -15,7 +15,8 @@ NUMBERS_AND_TEXT = {"bool": "bool", "int": "int", "float": "float", "str": "str"
 class Keyword:
     """A keyword argument: the property it sets, its type as text, and its default."""
 
-    def __init__(self, kind: str, name: str, type_: str, default: typing.Any, values: typing.Sequence[str] = ()) -> None:
+    def __init__(self, kind: str, name: str, type_: str, default: typing.Any,
+                 values: typing.Sequence[str] = ()) -> None:
         self.kind, self.name, self.type, self.default, self.values = kind, name, type_, default, values
 
 
