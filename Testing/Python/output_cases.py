@@ -11,8 +11,8 @@ import os
 import re
 import subprocess
 import sys
-import time
 import tempfile
+import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray

@@ -5,8 +5,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import conformalsom
-from conformalsom.command import outputs
-from conformalsom.command.surfaces import one_color
+from conformalsom.command import outputs, textures
 from conformalsom.filters import updated
 from conformalsom.running import run
 
@@ -35,8 +34,7 @@ def writer_of(surface: "Surface", path: str) -> typing.Any:
     writer = outputs.writer_of(path, painted=surface.texture is not None)
     if isinstance(writer, conformalsom.vtkTexturedSurfaceWriter):
         writer.SetInputData(0, placed(surface))
-        plain = one_color()
-        writer.SetInputData(1, surface.image or plain.GetOutputDataObject(0))
+        writer.SetInputData(1, surface.image or textures.one_pixel())
     elif outputs.extension_of(path) == ".html":
         writer.SetInputData(0, placed(surface))
         if surface.image is not None:

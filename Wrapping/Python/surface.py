@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from conformalsom import exports, pages, pickling
-from conformalsom.command.surfaces import frequency_of
+from conformalsom.command.sizes import frequency_of
 from conformalsom.filters import updated
 from conformalsom.inputs import ImageLike, MeshLike, Path, image_of, point_set
 from conformalsom.keywords import properties_of
