@@ -31,7 +31,7 @@ def save(surface: "Surface", path: str, overwrite: bool) -> None:
 
 def writer_of(surface: "Surface", path: str) -> typing.Any:
     """Return the writer of a file type, with the surface and its picture as inputs."""
-    writer = outputs.writer_of(path, painted=surface.texture is not None)
+    writer: typing.Any = outputs.writer_of(path, painted=surface.texture is not None)
     if isinstance(writer, conformalsom.vtkTexturedSurfaceWriter):
         writer.SetInputData(0, placed(surface))
         writer.SetInputData(1, surface.image or textures.one_pixel())
