@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
@@ -364,6 +365,25 @@ class Map(Filter):
         return Outputs({"map": result})
 
 
+class Background(Filter):
+    """vtkBackgroundUpdate, which is no algorithm: it updates a filter."""
+
+    def runs(self, class_):
+        return {"default": functools.partial(self.run, class_, self.small)}
+
+    def run(self, class_, set_up, folder):
+        update, filter_ = class_(), conformalsom.vtkGlobalConformalMap()
+        filter_.SetInputData(mapped())
+        set_up(update)
+        update.Start(filter_)
+        while update.IsRunning():
+            time.sleep(0.001)
+        update.Wait()
+        if update.GetNumberOfErrors():
+            raise CaseFailed(update.GetError(0))
+        return Outputs({"updated": filter_.GetOutput()})
+
+
 class heard_object:  # pylint: disable=invalid-name
     """Errors of an object that is no algorithm."""
 
@@ -511,6 +531,7 @@ CASES = {
                 properties_of(PriorityArrayName="Weight"), call("SetTrainingModeTo" + mode))
                for mode in ("Batch", "Online")}},
         on_ranks=True),
+    "vtkBackgroundUpdate": Background(properties_of()),
     "vtkConsistentRemesh": Filter(
         inputs([*TWO, functools.partial(mapped, 4, 0.1)]),
         inputs([*TWO, functools.partial(mapped, 4, 0.1)], NumberOfPoints=700, Frequency=8)),

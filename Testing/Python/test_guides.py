@@ -12,11 +12,13 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
 import conformalsom
 from helpers import hemispheres, textures
 from helpers.builtin_figure import figure_cloud, figure_surface
 
+HAS_THREE = os.path.exists("/usr/share/javascript/three/three.min.js")
 ROOT = os.path.abspath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 
 
@@ -131,6 +133,28 @@ class TestGuides(unittest.TestCase):
                     self.assertEqual((completed.returncode, completed.stderr), (0, ""))
                     run += 1
         self.assertGreaterEqual(run, 5)
+
+    def test_snippets_of_functions_run(self):
+        """The README's snippet, and all of the guide for Python that import the functions but not PyVista."""
+        snippets = []
+        for guide in ("README.md", os.path.join("Documentation", "Python.md")):
+            with open(os.path.join(ROOT, guide), encoding="utf-8") as file:
+                snippets += [code for _, code in blocks_of(file.read())
+                             if "import conformalsom as cs" in code and "pyvista" not in code]
+        self.assertEqual(len(snippets), 4)
+        for code in snippets:
+            with self.subTest(code), tempfile.TemporaryDirectory() as folder:
+                for name in ("scan.ply", "my-scan.ply"):
+                    conformalsom.Surface(self.given["scan"].GetOutputDataObject(0)).save(os.path.join(folder, name))
+                writer = vtkPNGWriter()
+                writer.SetInputData(textures.rosette(64))
+                writer.SetFileName(os.path.join(folder, "photo.png"))
+                writer.Write()
+                code = code.replace("smooth.show()", "smooth._repr_html_()" if HAS_THREE else "")
+                completed = subprocess.run([sys.executable, "-c", code], cwd=folder, text=True, stdout=subprocess.PIPE,
+                                           stderr=subprocess.PIPE, check=False)
+                self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+                self.assertEqual("figure.glb" in code, "figure.glb" in os.listdir(folder))
 
     def test_cortical_surfaces_go_to_their_end(self):
         code = "".join(block for _, block in blocks_of(sections("Cortex.md")["Step by step"]))

@@ -6,6 +6,7 @@ import importlib.util
 import inspect
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -20,6 +21,40 @@ MODULES = sorted(name for name in vars(conformalsom) if name.startswith(("vtkFil
                  and inspect.ismodule(getattr(conformalsom, name)))
 CLASSES = {name: class_ for module in MODULES for name, class_ in vars(getattr(conformalsom, module)).items()
            if inspect.isclass(class_)}
+FUNCTIONS = """\
+import numpy as np
+import conformalsom as cs
+
+points = np.zeros((500, 3))
+surface = cs.learn(points, number_of_neurons=500, mesh_type="Geodesic", progress=print)
+smooth = surface.smooth(64_000)
+print(smooth.points.shape, smooth.faces.max(), smooth.sphere.mean(), smooth.quality["UncoveredFraction"])
+smooth.paint("photo.png", view_direction=(0, 0, 1)).save("figure.glb")
+registered = surface.register(smooth, landmarks=[(1, 2)], features=[("Supported", 1.0)])
+mean = cs.mean_shape([surface, registered], progress=True)
+print(surface.harmonics(20).coefficients.shape, surface.warnings[0].lower())
+print(cs.conformal_map((mean.points, mean.faces)), cs.learn("scan.ply"), cs.learn([[1, 2, 3], [2, 3.5, 4]]))
+"""
+MISTAKES = [
+    ("cs.learn(3.5)", 'incompatible type "float"'),
+    ("cs.learn(points, neurons=3)", 'Unexpected keyword argument "neurons"'),
+    ('cs.learn(points, mesh_type="geodesic")', "incompatible type \"Literal\\['geodesic'\\]\""),
+    ('cs.learn(points, number_of_neurons="many")', 'incompatible type "str"; expected "int"'),
+    ('cs.learn(points, progress="yes")', 'incompatible type "str"'),
+    ("cs.lern(points)", 'no attribute "lern"'),
+    ("cs.conformal_map(None)", 'incompatible type "None"'),
+    ("cs.mean_shape(surface)", 'incompatible type "Surface"'),
+    ("surface.smoth()", 'no attribute "smoth"'),
+    ('surface.smooth("many")', 'incompatible type "str"'),
+    ("surface.paint(7)", 'incompatible type "int"'),
+    ('surface.paint("photo.png", view_up=1.0)', 'incompatible type "float"'),
+    ("surface.save(3)", 'incompatible type "int"'),
+    ("surface.register()", 'Missing positional argument "fixed"'),
+    ("surface.register(surface, landmarks=[1])", 'incompatible type "int"'),
+    ("surface.harmonics(20).coeficients", 'no attribute "coeficients"'),
+    ("surface.points = points", "read-only"),
+    ("surface.warnings.lower()", 'no attribute "lower"'),
+]
 INHERITED = {"IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType"}
 
 
@@ -119,13 +154,13 @@ class TestChecker(unittest.TestCase):
     def tearDownClass(cls):
         cls.temporary.cleanup()
 
-    def check(self, *paths):
-        """What mypy finds wrong, a line each."""
+    def check(self, *paths, path=os.path.dirname(PACKAGE)):
+        """What mypy finds wrong, a line each; the package is in the folder path."""
         command = [sys.executable, "-m", "mypy", "--ignore-missing-imports", "--check-untyped-defs", "--no-error-summary",
                    "--disable-error-code=var-annotated", "--disable-error-code=assignment",
                    "--cache-dir", os.path.join(self.temporary.name, "cache")]
         run = subprocess.run([*command, *paths], cwd=PYTHON, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                             env={**os.environ, "MYPYPATH": os.path.dirname(PACKAGE)}, check=False)
+                             env={**os.environ, "MYPYPATH": path}, check=False)
         self.assertEqual(run.stderr, "")
         self.assertEqual(run.returncode, 1 if run.stdout else 0)
         return run.stdout.splitlines()
@@ -133,6 +168,31 @@ class TestChecker(unittest.TestCase):
     def test_examples_and_package_are_right(self):
         self.assertEqual(self.check(*sorted(glob.glob(os.path.join(PYTHON, "*.py")))), [])
         self.assertEqual(self.check("-p", "conformalsom"), [])
+
+    def test_sources_of_functions_are_right(self):
+        """Without the stubs that hide them."""
+        copied = os.path.join(self.temporary.name, "sources")
+        shutil.copytree(PACKAGE, os.path.join(copied, "conformalsom"), ignore=lambda _, names: {
+            name for name in names if name in ("functions.pyi", "surface.pyi") or name.endswith(".so")})
+        self.assertEqual(self.check("-p", "conformalsom", path=copied), [])
+
+    def test_functions_are_used_rightly(self):
+        path = os.path.join(self.temporary.name, "right.py")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(FUNCTIONS)
+        self.assertEqual(self.check(path), [])
+
+    def test_mistakes_in_calls_of_functions_are_found(self):
+        path = os.path.join(self.temporary.name, "mistaken.py")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("import numpy as np\nimport conformalsom as cs\n")
+            for i, (mistake, _) in enumerate(MISTAKES):
+                file.write(f"def f{i}(points: np.ndarray, surface: cs.Surface) -> None:\n    {mistake}\n")
+        found = [line for line in self.check(path) if ": error: " in line]
+        for i, (mistake, message) in enumerate(MISTAKES):
+            with self.subTest(mistake):
+                [line] = [line for line in found if f"mistaken.py:{2 * i + 4}:" in line]
+                self.assertRegex(line, message)
 
     def test_mistakes_are_found(self):
         with open(os.path.join(PYTHON, "quickstart.py"), encoding="utf-8") as file:

@@ -4,6 +4,8 @@
 Stubs have the signatures of each method in Python, and the header's text, which editors show. Methods of
 one group share one text in a header; a stub gives it to all.
 
+Functions in Python whose keyword arguments are the properties of a filter have stubs with these keywords.
+
 Where vtkmodules comes without stubs, as Debian's does, the classes ours are derived from are written
 too, into _types.pyi: otherwise a checker would take any method for one that they may have.
 """
@@ -17,6 +19,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 import conformalsom
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Describe"))
+import functions
 from wrapped import signatures_of, texts_of
 
 INHERITED = ("IsA", "IsTypeOf", "GetNumberOfGenerationsFromBase", "GetNumberOfGenerationsFromBaseType")
@@ -173,8 +176,11 @@ def main():
     foreign = [base for base in bases if base.__module__.startswith("vtkmodules.") and not has_stubs(base.__module__)]
     stubs = {name: Stub(module).text("from conformalsom._types import Values\n")
              for name, module in classes.items()}
-    package = ["__version__: str", "CLASSES_LEFT_OUT: list[str]", "RENAMED: dict[str, dict[str, str]]",
-               *(f"from {name} import *" for name in stubs)]
+    package = ["__version__: str", "CLASSES_LEFT_OUT: list[str]", "RENAMED: dict[str, dict[str, str]]", "FUNCTIONS: list[str]",
+               *(f"from {name} import *" for name in stubs),
+               *(f"from {getattr(conformalsom, name).__module__} import {name} as {name}"
+                 for name in conformalsom.FUNCTIONS)]
+    stubs.update({f"conformalsom.{name}": functions.stub_of(name) for name in ("functions", "surface")})
     stubs["conformalsom._types"] = Stub(foreign).text(VALUES)
     stubs["conformalsom.__init__"] = "\n".join([f'"""{conformalsom.__doc__}"""', *package]) + "\n"
     for name, text in stubs.items():

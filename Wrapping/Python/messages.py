@@ -13,12 +13,30 @@ class FilterFailed(RuntimeError):
     """A filter reported an error; the text is the filter's own."""
 
 
+class FilterWarning(UserWarning):
+    """A filter reported a warning; the text is the filter's own."""
+
+
 class Messages:
     """Texts of errors and warnings, in order, without file, line and address."""
 
     def __init__(self) -> None:
         self.errors: typing.List[str] = []
         self.warnings: typing.List[str] = []
+
+
+def text_of(message: str) -> str:
+    """Return the text of a message: "ERROR: In <file>, line <n>\\n<class> (<address>): <text>\\n\\n"."""
+    return message.split("): ", 1)[-1].strip().partition("\n")[0]
+
+
+def own_errors(errors: typing.Sequence[str], class_name: str) -> typing.List[str]:
+    """Return the texts of errors without those of the executive, which reports each failure again.
+
+    If a class failed without a message, one text states this.
+    """
+    own = [text for text in errors if EXECUTIVE not in text]
+    return own or [f"{class_name} failed without a message; its input may be broken"][:len(errors)]
 
 
 @contextlib.contextmanager
@@ -28,9 +46,7 @@ def heard(algorithm) -> typing.Iterator[Messages]:
 
     @calldata_type(VTK_STRING)
     def keep(_, event, text):
-        # "ERROR: In <file>, line <n>\n<class> (<address>): <message>\n\n"
-        said = text.split("): ", 1)[-1].strip().partition("\n")[0]
-        (messages.errors if event == "ErrorEvent" else messages.warnings).append(said)
+        (messages.errors if event == "ErrorEvent" else messages.warnings).append(text_of(text))
 
     sources = (algorithm, algorithm.GetExecutive())
     observed = [(source, source.AddObserver(event, keep))
@@ -40,8 +56,4 @@ def heard(algorithm) -> typing.Iterator[Messages]:
     finally:
         for source, tag in observed:
             source.RemoveObserver(tag)
-        # The executive reports the failure again; this is of use only if the algorithm gave no message.
-        own = [text for text in messages.errors if EXECUTIVE not in text]
-        if messages.errors:
-            silent = f"{algorithm.GetClassName()} failed without a message; its input may be broken"
-            messages.errors[:] = own or [silent]
+        messages.errors[:] = own_errors(messages.errors, algorithm.GetClassName())

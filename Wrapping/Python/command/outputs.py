@@ -13,7 +13,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 import conformalsom
 from conformalsom import vtkTexturedSurfaceWriter
 
-from .steps import StepFailed
+from conformalsom.messages import FilterFailed
 
 PREFIX = ".conformalsom-"  # of what is not finished
 ACCESS_LIST = "system.posix_acl_access"
@@ -249,8 +249,8 @@ def write(steps, writer, path, token=None, overwrite=True):
         writer.SetFileName(part)
         try:
             steps.run(label, writer, writer.Write)
-        except StepFailed as error:  # which names what only writing needs
-            raise StepFailed(str(error).replace(part, path)) from None
+        except FilterFailed as error:  # which names what only writing needs
+            raise type(error)(str(error).replace(part, path)) from None
         if isinstance(writer, vtkOBJWriter):  # which does not notice a full disk
             expect_polygons(part, writer.GetInputDataObject(0, 0).GetNumberOfPolys(), path)
         if not os.path.exists(part):

@@ -1,19 +1,15 @@
 """From a scan to a painted surface: points -> learned mesh -> smooth surface -> picture on it."""
-import math
 import typing
 
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR
-from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from conformalsom import (
     vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
     vtkTexturedSurfaceWriter)
 
-from . import outputs, pictures, report, scan_colors, scan_files
+from . import outputs, pictures, report, scan_colors, scan_files, textures
 from .plan import Paths
-
-CLAY = (204, 158, 117)
+from .sizes import frequency_of
 
 
 class Task(typing.NamedTuple):
@@ -21,11 +17,6 @@ class Task(typing.NamedTuple):
     scan: str
     paths: Paths
     token: str
-
-
-def frequency_of(number):
-    """The frequency of the geodesic sphere whose number of points, 10 f^2 + 2, is nearest."""
-    return min(max(round(math.sqrt((number - 2) / 10)), 1), 1000)
 
 
 def learned_mesh(scan, options):
@@ -54,14 +45,9 @@ def texture_map(surface, options, all_around):
 
 
 def one_color():
-    """A picture of one pixel, for a format that wants one where there is none."""
-    image = vtkImageData()
-    image.SetDimensions(1, 1, 1)
-    image.AllocateScalars(VTK_UNSIGNED_CHAR, 3)
-    for component, value in enumerate(CLAY):
-        image.SetScalarComponentFromDouble(0, 0, 0, component, value)
+    """A source of a picture of one pixel, for a format that wants one where there is none."""
     source = vtkTrivialProducer()
-    source.SetOutput(image)
+    source.SetOutput(textures.one_pixel())
     return source
 
 

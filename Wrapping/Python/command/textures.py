@@ -14,6 +14,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
+CLAY = (204, 158, 117)
 EXTENSIONS = (".png", ".jpg", ".jpeg")
 MAXIMUM_PIXELS = 2**28  # as decoding.py has it
 MAXIMUM_SECONDS = 300  # of the clock; decoding.py limits its processor time to less
@@ -128,3 +129,8 @@ def image_of(pixels):
     image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
     image.GetPointData().SetScalars(numpy_to_vtk(pixels.reshape(-1, pixels.shape[2]), deep=True))
     return image
+
+
+def one_pixel():
+    """A picture of one pixel, as VTK's image."""
+    return image_of(np.array([[CLAY]], np.uint8))

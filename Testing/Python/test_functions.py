@@ -1,0 +1,321 @@
+"""The functions of the package: arrays go in and come out, errors are exceptions, and Python lives on while a
+filter runs."""
+import copy
+import inspect
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import threading
+import time
+import types
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import conformalsom as cs
+from conformalsom import pages
+from conformalsom.inputs import as_floats, cloud_of
+
+AXES = (1.0, 1.4, 0.8)
+# Learning that would last for hours.
+ENDLESS = {"training_mode": "Online", "number_of_epochs": 10**9}
+
+
+def cloud(size=4000, seed=1):
+    """Points of an ellipsoid."""
+    directions = np.random.default_rng(seed).normal(size=(size, 3))
+    return directions / np.linalg.norm(directions, axis=1, keepdims=True) * AXES
+
+
+def learned(**properties):
+    return cs.learn(cloud(), **{"number_of_neurons": 500, **properties})
+
+
+def picture():
+    rows, columns = np.mgrid[0:64, 0:32].astype(np.uint8)
+    return np.stack([columns, rows, np.full_like(rows, 9)], axis=-1)
+
+
+class TestFunctions(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.surface = learned()
+        cls.folder = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def saved(self, surface):
+        """The bytes of a file."""
+        surface.save(self.path("copy.glb"))
+        with open(self.path("copy.glb"), "rb") as file:
+            return file.read()
+
+    def expect_same(self, a, b):
+        """Expect that two surfaces have the same bits."""
+        np.testing.assert_array_equal(a.faces, b.faces)
+        self.assertEqual(list(a.point_data), list(b.point_data))
+        self.assertEqual(list(a.quality), list(b.quality))
+        for one, other in zip([a.points, *a.point_data.values(), *a.quality.values()],
+                              [b.points, *b.point_data.values(), *b.quality.values()]):
+            np.testing.assert_array_equal(one, other)
+            self.assertEqual(np.asarray(one).dtype, np.asarray(other).dtype)
+
+    def test_is_what_the_filters_make(self):
+        network, css = cs.vtkConformalSOM(), cs.vtkCurvedSeamlessSurface()
+        network.SetInputData(cloud_of(cloud()))
+        network.SetNumberOfNeurons(500)
+        css.SetInputConnection(network.GetOutputPort())
+        css.SetFrequency(20)
+        css.Update()
+        smooth = self.surface.smooth(4002)
+        for array, points in ((network, self.surface.points), (css, smooth.points)):
+            np.testing.assert_array_equal(points, vtk_to_numpy(array.GetOutput().GetPoints().GetData()))
+        np.testing.assert_allclose(np.linalg.norm(smooth.sphere, axis=1), 1.0, atol=1e-12)
+        self.assertEqual(self.surface.faces.shape, (996, 3))
+        self.assertEqual(self.surface.quality["AffineRank"], 3)
+        self.assertLess(np.abs(np.linalg.norm(smooth.points / AXES, axis=1) - 1).max(), 0.03)
+
+    def test_takes_points_of_every_kind(self):
+        points = cloud()
+        mesh = types.SimpleNamespace(vertices=points, faces=np.empty((0, 3), int))  # as of trimesh
+        scan = types.SimpleNamespace(points=points, normals=points / np.square(AXES))  # as of Open3D
+        cs.Surface(cloud_of(points)).save(self.path("scan.ply"))
+        for other in (points.tolist(), np.asfortranarray(points), points.astype(">f8"), cloud_of(points), mesh,
+                      self.path("scan.ply")):
+            self.expect_same(cs.learn(other, number_of_neurons=500), self.surface)
+        self.assertEqual(len(cs.learn(scan, number_of_neurons=500)), 500)
+        single = cs.learn(points.astype(np.float32), number_of_neurons=500)
+        self.assertLess(np.abs(np.linalg.norm(single.points / AXES, axis=1) - 1).max(), 0.03)
+
+    def test_floats_are_not_copied(self):
+        for type_ in (np.float32, np.float64):
+            array = np.zeros((5, 3), type_)
+            array.flags.writeable = False
+            self.assertTrue(np.shares_memory(vtk_to_numpy(as_floats(array)), array))
+        self.assertEqual(vtk_to_numpy(as_floats(np.ones((2, 3), int))).dtype, np.float64)
+
+    def test_maps_registers_and_averages(self):
+        mapped = cs.conformal_map((self.surface.points, self.surface.faces))
+        np.testing.assert_array_equal(mapped.points, self.surface.points)
+        np.testing.assert_array_equal(mapped.faces, self.surface.faces)
+        registered = mapped.register(self.surface, frequency=8, landmarks=[(3, 3), (200, 200), (400, 400)])
+        self.assertEqual(registered.quality["NumberOfFolds"], 0)
+        self.assertLess(registered.quality["LandmarkError"], 0.05)
+        mean = cs.mean_shape([mapped, self.surface], frequency=8, mean_frequency=12, maximum_number_of_rounds=1)
+        self.assertEqual(len(mean), 1442)
+        self.assertLess(np.abs(np.linalg.norm(mean.points / AXES, axis=1) - 1).max(), 0.06)
+        coefficients, rebuilt = self.surface.harmonics(8)
+        self.assertEqual((coefficients.shape, len(rebuilt)), ((81, 3), 500))
+        self.assertEqual(rebuilt.quality["HarmonicPower"].size, 9)
+
+    def test_paints_and_saves(self):
+        painted = self.surface.paint(picture(), field_of_view=200.0)
+        np.testing.assert_array_equal(painted.texture, picture())
+        self.assertIn("painted", repr(painted))
+        np.testing.assert_array_equal(painted.points, self.surface.points)
+        for extension in ("glb", "obj", "ply", "off", "m", "gii", "stl", "vtp", "vtk"):
+            for surface in (self.surface, painted):
+                surface.save(self.path("saved." + extension))
+                self.assertGreater(os.path.getsize(self.path("saved." + extension)), 1000)
+        self.assertGreater(os.path.getsize(self.path("saved.png")), 100)
+        self.expect_same(cs.read(self.path("saved.vtp")), painted)
+        with self.assertRaises(FileExistsError):
+            painted.save(self.path("saved.glb"), overwrite=False)
+        with self.assertRaisesRegex(ValueError, "expected a file of type .*glb"):
+            painted.save(self.path("saved.docx"))
+
+    def test_surfaces_do_not_change(self):
+        for array in (self.surface.points, self.surface.faces, self.surface.sphere):
+            with self.assertRaises(ValueError):
+                array[0] = 0
+
+    def test_pickles_and_copies(self):
+        painted = self.surface.paint(picture(), field_of_view=200.0)
+        for other in (pickle.loads(pickle.dumps(painted)), copy.copy(painted), copy.deepcopy(painted)):
+            self.expect_same(other, painted)
+            np.testing.assert_array_equal(other.texture, painted.texture)
+            self.assertEqual(other.warnings, painted.warnings)
+            self.expect_same(other.smooth(1000), painted.smooth(1000))
+            self.assertEqual(self.saved(other), self.saved(painted))
+
+    def test_unknown_keywords_and_wrong_values_are_errors(self):
+        for error, text, call in (
+                (TypeError, "no keyword argument 'neurons'; did you mean 'number_of_neurons'",
+                 lambda: cs.learn(cloud(), neurons=3)),
+                (TypeError, "expected points.* not float", lambda: cs.learn(3.5)),
+                (TypeError, "expected points.* not NoneType", lambda: cs.learn(None)),
+                (ValueError, r"n x 3, not of the shape \(5, 2\)", lambda: cs.learn(np.zeros((5, 2)))),
+                (ValueError, "mesh_type is 'geodesic', but must be one of .*'Geodesic'",
+                 lambda: cs.learn(cloud(), mesh_type="geodesic")),
+                (TypeError, "number_of_neurons is 'x', but must be int", lambda: cs.learn(cloud(), number_of_neurons="x")),
+                (ValueError, "random_seed is -1, but must be in", lambda: cs.learn(cloud(), random_seed=-1)),
+                (TypeError, "no keyword argument 'frequency'", lambda: self.surface.smooth(frequency=3)),
+                (ValueError, "number_of_points is 3", lambda: self.surface.smooth(3)),
+                (ValueError, "ids of points of triangles", lambda: cs.conformal_map((cloud(), np.array([[0, 1, 4000]])))),
+                (ValueError, "expected an image", lambda: self.surface.paint(np.zeros((4, 4))))):
+            with self.subTest(text), self.assertRaisesRegex(error, text):
+                call()
+
+    def test_errors_are_exceptions_with_the_filters_message(self):
+        with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalSOM: there are no points"):
+            cs.learn(np.zeros((0, 3)))
+        with self.assertRaisesRegex(cs.FilterFailed, "vtkGlobalConformalMap: the surface must be closed"):
+            cs.conformal_map(cloud())
+        with self.assertRaisesRegex(FileNotFoundError, "vtkConformalPLYReader: .*there is no such file"):
+            cs.learn(self.path("missing.ply"))
+        for name in ("missing.stl", "missing.docx", "missing"):
+            with self.assertRaises(FileNotFoundError):
+                cs.learn(self.path(name))
+        with self.assertRaises(FileNotFoundError):
+            self.surface.paint(self.path("missing.png"))
+        with open(self.path("broken.ply"), "w", encoding="ascii") as file:
+            file.write("ply\nformat ascii 1.0\nelement vertex 5\n")
+        with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalPLYReader: "):
+            cs.read(self.path("broken.ply"))
+        with open(self.path("broken.png"), "wb") as file:
+            file.write(b"\x89PNG\r\n\x1a\n")
+        with self.assertRaisesRegex(ValueError, "broken"):
+            self.surface.paint(self.path("broken.png"))
+
+    def test_warnings_have_a_category_and_are_issued_once_at_the_callers_line(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            flat = cs.learn(cloud() * (1, 1, 0), number_of_neurons=162)
+        self.assertEqual([str(warning.message) for warning in caught], flat.warnings)
+        self.assertTrue(all(warning.category is cs.FilterWarning for warning in caught))
+        self.assertEqual({warning.filename for warning in caught}, {__file__})
+        self.assertIn("vtkConformalSOM: the points are coplanar; the mesh is flat", flat.warnings)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", cs.FilterWarning)
+            with self.assertRaisesRegex(cs.FilterWarning, "coplanar"):
+                cs.learn(cloud() * (1, 1, 0), number_of_neurons=162)
+
+    def test_nothing_is_printed(self):
+        script = textwrap.dedent("""\
+            import warnings, numpy, conformalsom as cs
+            for points in numpy.zeros((0, 3)), "missing.ply":
+                try:
+                    cs.learn(points)
+                except (cs.FilterFailed, FileNotFoundError):
+                    pass
+            warnings.simplefilter("ignore")
+            cs.learn(numpy.random.default_rng(1).normal(size=(500, 3)) * (1, 1, 0), number_of_neurons=162)
+            """)
+        done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              check=False)
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+
+    def test_a_function_hears_of_progress(self):
+        fractions, threads = [], set()
+
+        def report(fraction):
+            fractions.append(fraction)
+            threads.add(threading.current_thread())
+
+        learned(progress=report)
+        self.assertEqual(fractions, sorted(set(fractions)))
+        self.assertEqual((fractions[-1], threads), (1.0, {threading.current_thread()}))
+        self.assertGreaterEqual(fractions[0], 0.0)
+
+    def test_an_exception_of_the_function_stops_the_filter(self):
+        with self.assertRaises(ZeroDivisionError):
+            learned(progress=lambda fraction: 1 / 0, **ENDLESS)
+
+    def test_a_bar_shows_progress(self):
+        script = "import sys; sys.modules['tqdm'] = None\nimport numpy, conformalsom as cs\n" \
+                 "cs.learn(numpy.random.default_rng(1).normal(size=(500, 3)), number_of_neurons=162, progress=True)"
+        done = subprocess.run([sys.executable, "-W", "ignore", "-c", script], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, check=True)
+        self.assertRegex(done.stderr, rb"\rvtkConformalSOM 100 %\n$")
+        self.assertEqual(done.stdout, b"")
+
+    def test_another_thread_runs_meanwhile(self):
+        ticks, stop = [], threading.Event()
+
+        def tick():
+            while not stop.wait(0.01):
+                ticks.append(time.monotonic())
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        start = time.monotonic()
+        cs.learn(cloud(200000), number_of_neurons=10000)
+        end = time.monotonic()
+        stop.set()
+        thread.join()
+        during = [time_ for time_ in ticks if start < time_ < end]
+        self.assertGreater(len(during), 10 * (end - start))  # 100 times a second, but processors are shared
+
+    def test_two_threads_learn_the_same_as_one(self):
+        clouds, found = [cloud(20000, 1), cloud(20000, 2)], {}
+
+        def learn(i):
+            found[i] = cs.learn(clouds[i], number_of_neurons=1000)
+
+        threads = [threading.Thread(target=learn, args=(i,)) for i in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for i in range(2):
+            self.expect_same(found[i], cs.learn(clouds[i], number_of_neurons=1000))
+
+    @unittest.skipUnless(hasattr(signal, "pthread_kill"), "signals cannot be sent here")
+    def test_ctrl_c_stops_a_filter(self):
+        script = textwrap.dedent(f"""\
+            import os, signal, sys, threading, time, numpy, conformalsom as cs
+            def send():
+                time.sleep(0.5)
+                global sent
+                sent = time.monotonic()
+                os.kill(os.getpid(), signal.SIGINT)
+            threading.Thread(target=send).start()
+            try:
+                cs.learn(numpy.random.default_rng(1).normal(size=(100000, 3)), **{ENDLESS!r})
+            except KeyboardInterrupt:
+                print(time.monotonic() - sent)
+            """)
+        done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              timeout=600, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        seconds = float(done.stdout)
+        print(f"Ctrl-C took {seconds:.3f} s")
+        self.assertLess(seconds, 30.0)  # 0.5 s are promised, but processors are shared
+
+    @unittest.skipUnless(os.path.exists("/usr/share/javascript/three/three.min.js"), "there is no three.js")
+    def test_a_notebook_shows_a_page_below_3_mb(self):
+        noise = np.random.default_rng(1).integers(0, 256, (1500, 1500, 3), dtype=np.uint8)  # does not compress
+        smooth = self.surface.smooth(200000)
+        for surface in (smooth, smooth.paint(noise)):
+            html = surface._repr_html_()
+            self.assertLess(len(html.encode()), 3_000_000)
+            self.assertTrue(html.startswith('<iframe srcdoc="') and html.endswith("></iframe>"))
+            self.assertEqual(html.count('"'), 6)  # none within the page
+        self.assertLessEqual(len(pages.reduced(smooth)), 1.05 * pages.MAXIMUM_POINTS)
+
+    def test_help_lists_every_option_with_its_text(self):
+        for function in (cs.learn, cs.conformal_map, cs.mean_shape, cs.Surface.smooth, cs.Surface.paint,
+                         cs.Surface.register, cs.Surface.harmonics):
+            with self.subTest(function.__name__):
+                self.assertIn("Example", function.__doc__)
+                text = function.__doc__.partition("Keyword arguments")[2]
+                words = [word for word, parameter in inspect.signature(function).parameters.items()
+                         if parameter.kind == parameter.KEYWORD_ONLY and word != "progress"]
+                self.assertGreater(len(words), 3)
+                for word in words:
+                    self.assertRegex(text, rf"\n    {word}: [A-Z]\w*")
+
+
+if __name__ == "__main__":
+    unittest.main()

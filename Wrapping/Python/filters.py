@@ -1,0 +1,20 @@
+"""Run a filter of the package on data, with keyword arguments as properties."""
+import typing
+
+import conformalsom
+from conformalsom.inputs import point_set
+from conformalsom.keywords import apply, keywords_of
+from conformalsom.reporting import Progress
+from conformalsom.running import run
+
+
+def updated(class_name: str, data: typing.Iterable[typing.Any], progress: Progress = False,
+            properties: typing.Optional[typing.Mapping[str, typing.Any]] = None,
+            ) -> typing.Tuple[typing.Any, typing.List[str]]:
+    """Run a filter on the data of its first input port; return the filter and its warnings."""
+    class_ = getattr(conformalsom, class_name)
+    algorithm = class_()
+    apply(algorithm, keywords_of(class_), properties or {}, point_set)
+    for item in data:
+        algorithm.AddInputDataObject(0, point_set(item))
+    return algorithm, run(algorithm, progress)

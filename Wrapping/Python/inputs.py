@@ -1,0 +1,157 @@
+"""Inputs of functions: arrays, files, and the points and meshes of other packages, as data of VTK."""
+import errno
+import os
+import typing
+
+import numpy as np
+import numpy.typing as npt
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from conformalsom.command import scan_files, textures
+from conformalsom.messages import FilterFailed
+from conformalsom.running import run
+
+
+class HasPolyData(typing.Protocol):
+    """A conformalsom.Surface."""
+    @property
+    def polydata(self) -> vtkPolyData: ...
+
+
+class IsPointSet(typing.Protocol):
+    """A vtkPointSet, also a data set of PyVista with points."""
+    def GetPoints(self) -> typing.Any: ...
+    def ShallowCopy(self, data: typing.Any) -> None: ...
+
+
+class HasVertices(typing.Protocol):
+    """A mesh or a cloud of trimesh, or a mesh of Open3D."""
+    @property
+    def vertices(self) -> typing.Any: ...
+
+
+class HasPoints(typing.Protocol):
+    """A cloud of Open3D."""
+    @property
+    def points(self) -> typing.Any: ...
+
+
+Path = typing.Union[str, "os.PathLike[str]"]
+Numbers = typing.Sequence[typing.Sequence[float]]
+MeshLike = typing.Union[HasPolyData, IsPointSet, HasVertices, Path,
+                        typing.Tuple["npt.NDArray[typing.Any]", "npt.NDArray[typing.Any]"]]
+PointsLike = typing.Union["npt.NDArray[typing.Any]", Numbers, HasPoints, MeshLike]
+ImageLike = typing.Union[Path, "npt.NDArray[np.uint8]"]
+
+
+def point_set(points: typing.Any) -> typing.Any:
+    """Return points, or a mesh with its triangles, as vtkPointSet.
+
+    Arrays of 32 or 64 bit floats are not copied if they are contiguous.
+    """
+    if isinstance(points, (str, os.PathLike)):
+        return read(points)
+    if hasattr(points, "polydata"):
+        return points.polydata
+    if hasattr(points, "GetPoints") and hasattr(points, "ShallowCopy"):
+        copy = points.NewInstance()  # so that several threads can use one data set
+        copy.ShallowCopy(points)
+        return copy
+    if hasattr(points, "vertices"):
+        faces = getattr(points, "faces", getattr(points, "triangles", None))
+        return with_triangles(cloud_of(points.vertices), faces)
+    if hasattr(points, "points"):
+        return with_normals(cloud_of(points.points), getattr(points, "normals", None))
+    if isinstance(points, tuple) and len(points) == 2 and np.ndim(points[0]) == 2:
+        return with_triangles(cloud_of(points[0]), points[1])
+    return cloud_of(points)
+
+
+def cloud_of(points: typing.Any) -> vtkPolyData:
+    """Return an array of n x 3 numbers as points of VTK."""
+    array = np.asarray(points)
+    if array.dtype.kind not in "fiub" or array.ndim == 0:
+        raise TypeError(f"expected points, such as an array of n x 3 numbers, not {type(points).__name__}")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"expected points as an array of n x 3, not of the shape {array.shape}")
+    coordinates, cloud = vtkPoints(), vtkPolyData()
+    coordinates.SetData(as_floats(array))
+    cloud.SetPoints(coordinates)
+    return cloud
+
+
+def as_floats(array: "npt.NDArray[typing.Any]") -> typing.Any:
+    """Return an array of VTK over the memory of 32 or 64 bit floats, or over a copy of other numbers."""
+    type_ = array.dtype.newbyteorder("=") if array.dtype in (np.float32, np.float64) else np.dtype(np.float64)
+    return numpy_to_vtk(np.ascontiguousarray(array, type_), deep=False)
+
+
+def with_triangles(mesh: vtkPolyData, faces: typing.Any) -> vtkPolyData:
+    """Add triangles, an array of n x 3 ids of points, if there are any."""
+    if faces is None or len(faces) == 0:
+        return mesh
+    corners = np.asarray(faces)
+    if corners.ndim != 2 or corners.shape[1] != 3 or corners.dtype.kind not in "iu":
+        raise ValueError(f"expected triangles as an array of n x 3 integers, not of the shape {corners.shape} "
+                         f"and of {corners.dtype}")
+    if corners.min() < 0 or corners.max() >= mesh.GetNumberOfPoints():
+        raise ValueError(f"ids of points of triangles must be in [0, {mesh.GetNumberOfPoints() - 1}], "
+                         f"not in [{corners.min()}, {corners.max()}]")
+    polygons = vtkCellArray()
+    polygons.SetData(numpy_to_vtkIdTypeArray(np.arange(0, corners.size + 1, 3, dtype=np.int64), deep=True),
+                     numpy_to_vtkIdTypeArray(np.ascontiguousarray(corners, np.int64).ravel(), deep=True))
+    mesh.SetPolys(polygons)
+    return mesh
+
+
+def with_normals(cloud: vtkPolyData, normals: typing.Any) -> vtkPolyData:
+    """Add the normals of the points if there are any."""
+    if normals is not None and len(normals) == cloud.GetNumberOfPoints() > 0:
+        cloud.GetPointData().SetNormals(as_floats(np.asarray(normals)))
+    return cloud
+
+
+def read(path: Path) -> typing.Any:
+    """Read a scan or a mesh; the reader is chosen by the file's content and extension.
+
+    Raises FileNotFoundError if there is no such file, and FilterFailed or ValueError for a file that cannot be
+    read.
+    """
+    name = os.fspath(path)
+    reader_class = scan_files.reader_class(name)
+    if reader_class is None and not os.path.exists(name):
+        raise missing(name, os.strerror(errno.ENOENT))
+    # Without a class, scan_reader() raises an error that lists the known types.
+    reader: typing.Any = scan_files.scan_reader(name) if reader_class is None else reader_class()
+    reader.SetFileName(name)
+    try:
+        run(reader)
+    except FilterFailed as error:
+        if os.path.exists(name):
+            raise
+        raise missing(name, str(error)) from None
+    return reader.GetOutputDataObject(0)
+
+
+def missing(name: str, reason: str) -> FileNotFoundError:
+    """Return the exception for a missing file."""
+    return FileNotFoundError(errno.ENOENT, reason, name)
+
+
+def image_of(image: typing.Any) -> typing.Any:
+    """Return an image as vtkImageData of bytes, 3 or 4 for each pixel.
+
+    The image is a PNG or JPEG file, or an array of rows x columns x 3 or 4 bytes, first row on top.
+    """
+    if isinstance(image, (str, os.PathLike)):
+        name = os.fspath(image)
+        if not os.path.exists(name):
+            raise missing(name, os.strerror(errno.ENOENT))
+        return textures.image_of(textures.read_picture(name))
+    pixels = np.asarray(image)
+    if pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or pixels.dtype != np.uint8 or pixels.size == 0:
+        raise ValueError("expected an image of rows x columns x 3 or 4 bytes, "
+                         f"not of the shape {pixels.shape} and of {pixels.dtype}")
+    return textures.image_of(np.ascontiguousarray(pixels[::-1]))

@@ -1,0 +1,247 @@
+"""A closed surface with a map to the sphere, as arrays of NumPy."""
+from __future__ import annotations
+
+import os
+import typing
+
+import numpy as np
+import numpy.typing as npt
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+
+from conformalsom import exports, pages, pickling
+from conformalsom.command.sizes import frequency_of
+from conformalsom.filters import updated
+from conformalsom.inputs import ImageLike, MeshLike, Path, image_of, point_set
+from conformalsom.keywords import properties_of
+from conformalsom.reporting import Progress
+from conformalsom.running import run
+
+Array = npt.NDArray[typing.Any]
+
+
+class Harmonics(typing.NamedTuple):
+    """Spherical harmonics of a surface, made by Surface.harmonics().
+
+    coefficients: (L + 1)^2 x 3 numbers for the degree L, in the unit of the coordinates. The rows are sorted
+    by degree l from 0 to L, then by order m from -l to l. The columns are x, y and z.
+    surface: the surface that is rebuilt from the harmonics. Its dictionary `quality` has "HarmonicPower",
+    "ShapeSpectrum" and "RootMeanSquareDistance", see conformalsom.vtkSurfaceHarmonics.
+    """
+    coefficients: Array
+    surface: "Surface"
+
+
+class Surface:
+    """A surface that is mapped to the sphere. learn(), conformal_map(), read() and mean_shape() make surfaces.
+
+    mesh: a mesh with the point array "SpherePosition": a vtkPolyData, or any input of conformal_map().
+
+    Arrays of a surface cannot be changed. Methods return a new surface.
+
+    Example:
+
+        surface = conformalsom.learn(points).smooth(64_000)
+        surface.points, surface.faces, surface.sphere, surface.quality
+    """
+
+    def __init__(self, mesh: MeshLike, *, warnings: typing.Iterable[str] = ()) -> None:
+        self._data: typing.Any = point_set(mesh)
+        self._warnings = tuple(warnings)
+        self._picture: typing.Tuple[typing.Optional[vtkImageData], typing.Dict[str, typing.Any]] = None, {}
+        if not isinstance(self._data, vtkPolyData):
+            raise TypeError(f"expected a mesh of triangles, not {self._data.GetClassName()}")
+
+    @property
+    def polydata(self) -> vtkPolyData:
+        """The surface as vtkPolyData, an input for any filter of VTK. Do not change it."""
+        return self._data
+
+    @property
+    def points(self) -> Array:
+        """Coordinates of the points: n x 3 numbers, in the unit of the input."""
+        return constant(self._data.GetPoints().GetData()) if self._data.GetPoints() else np.empty((0, 3))
+
+    @property
+    def faces(self) -> Array:
+        """Triangles: m x 3 integers, ids of points from 0, counter-clockwise seen from outside."""
+        polygons = self._data.GetPolys()
+        if polygons.IsHomogeneous() != 3 or self._data.GetNumberOfStrips():
+            triangles = vtkTriangleFilter()
+            triangles.SetInputData(self._data)
+            run(triangles)
+            polygons = triangles.GetOutput().GetPolys()
+        return constant(polygons.GetConnectivityArray()).reshape(-1, 3)
+
+    @property
+    def sphere(self) -> Array:
+        """Positions of the points on the unit sphere: n x 3 numbers. Raises KeyError if there is no map."""
+        return self.point_data["SpherePosition"]
+
+    @property
+    def point_data(self) -> typing.Dict[str, Array]:
+        """Arrays with a value for each point, by name, such as "SpherePosition", "Normals" and "Supported"."""
+        return arrays_of(self._data.GetPointData())
+
+    @property
+    def quality(self) -> typing.Dict[str, typing.Any]:
+        """Numbers about the whole surface, by name: a number, or an array if there are several.
+
+        The filter's help describes the numbers as field data: help(conformalsom.vtkConformalSOM) describes
+        "UncoveredFraction" and others.
+        """
+        found = arrays_of(self._data.GetFieldData())
+        return {name: array.item() if array.size == 1 else array for name, array in found.items()}
+
+    @property
+    def warnings(self) -> typing.List[str]:
+        """Warnings of all filters that made this surface, beginning with the name of the filter."""
+        return list(self._warnings)
+
+    @property
+    def texture(self) -> typing.Optional[Array]:
+        """The picture that paint() laid on the surface: rows x columns x 3 or 4 bytes, first row on top; or None."""
+        if self.image is None:
+            return None
+        columns, rows, _ = self.image.GetDimensions()
+        return constant(self.image.GetPointData().GetScalars()).reshape(rows, columns, -1)[::-1]
+
+    @property
+    def image(self) -> typing.Optional[vtkImageData]:
+        """The picture that paint() laid on the surface as vtkImageData, or None. Do not change it."""
+        return self._picture[0]
+
+    @property
+    def placement(self) -> typing.Dict[str, typing.Any]:
+        """Keyword arguments of paint() that placed the picture."""
+        return dict(self._picture[1])
+
+    def painted_as(self, other: "Surface") -> "Surface":
+        """Return this surface with the picture of another surface that has the same map to the sphere."""
+        return self.paint(other.texture, **other.placement) if other.texture is not None else self
+
+    @properties_of("vtkCurvedSeamlessSurface", without=("frequency",))
+    def smooth(self, number_of_points: typing.Optional[int] = None, *, progress: Progress = False,
+               **properties: typing.Any) -> "Surface":
+        """Make the surface smooth and dense.
+
+        number_of_points: approximate minimum number of points of the result, in [12, 10,000,002]; default is
+        64,002.
+        progress: True for a bar, or a function that gets the completed fraction in [0, 1].
+
+        Raises FilterFailed if the surface has no valid map to the sphere. Example:
+
+            smooth = surface.smooth(64_000)
+        """
+        if number_of_points is not None:
+            if not 12 <= number_of_points <= 10_000_002:
+                raise ValueError(f"number_of_points is {number_of_points}, but must be in [12, 10000002]")
+            properties["frequency"] = frequency_of(number_of_points)
+        return self._filtered("vtkCurvedSeamlessSurface", progress, properties)
+
+    @properties_of("vtkSphericalTextureMap")
+    def paint(self, image: ImageLike, *, progress: Progress = False, **properties: typing.Any) -> "Surface":
+        """Lay a picture on the surface. Its middle faces view_direction, and its top view_up.
+
+        image: a PNG or JPEG file of up to 2^28 pixels, or an array of rows x columns x 3 or 4 bytes, first row
+        on top. A separate process decodes files.
+        progress: True for a bar, or a function that gets the completed fraction in [0, 1].
+
+        Raises FileNotFoundError if there is no such file, and ValueError if it is no picture or is broken. Example:
+
+            surface.paint("photo.png", view_direction=(0, 0, 1)).save("figure.glb")
+        """
+        picture = image_of(image)
+        painted = self._filtered("vtkSphericalTextureMap", progress, properties)
+        painted._picture = picture, dict(properties)
+        return painted
+
+    @properties_of("vtkSphericalRegistration", without=("fixed",))
+    def register(self, fixed: MeshLike, *, progress: Progress = False, **properties: typing.Any) -> "Surface":
+        """Deform the map to the sphere until corresponding points of two surfaces have the same position.
+
+        fixed: the surface to which this surface is registered.
+        progress: True for a bar, or a function that gets the completed fraction in [0, 1].
+
+        Returns this surface with the deformed map. Example:
+
+            registered = surface.register(other, landmarks=[(12, 57)])
+        """
+        return self._filtered("vtkSphericalRegistration", progress, {**properties, "fixed": fixed})
+
+    @properties_of("vtkSurfaceHarmonics", without=("degree",))
+    def harmonics(self, degree: int = 20, *, progress: Progress = False, **properties: typing.Any) -> Harmonics:
+        """Compute the spherical harmonics of the surface.
+
+        degree: maximum degree L of the harmonics, in [0, 256].
+        progress: True for a bar, or a function that gets the completed fraction in [0, 1].
+
+        Returns coefficients, (L + 1)^2 x 3 numbers, and the surface that is rebuilt from them. Example:
+
+            coefficients, rebuilt = surface.harmonics(20)
+        """
+        algorithm, texts = updated("vtkSurfaceHarmonics", [self], progress, {**properties, "degree": degree})
+        table = algorithm.GetCoefficients()
+        columns = [vtk_to_numpy(table.GetColumnByName(name)) for name in "XYZ"]
+        return Harmonics(np.stack(columns, axis=1), Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts]))
+
+    def save(self, path: Path, *, overwrite: bool = True) -> None:
+        """Write the surface to a file: .glb, .obj, .ply, .off, .m, .gii, .html, .stl, .vtp or .vtk.
+
+        A picture that paint() laid on the surface is written by .glb, .obj, .ply and .html. The file is written
+        completely or not at all. Raises FileExistsError if there is a file and overwrite is False, OSError if
+        the file cannot be written, and ValueError for other extensions. Example:
+
+            surface.save("figure.glb")
+        """
+        exports.save(self, os.fspath(path), overwrite)
+
+    def show(self) -> None:
+        """Show the surface and its map to the sphere: in a notebook, or as a page in the web browser."""
+        pages.show(self)
+
+    def to_pyvista(self) -> typing.Any:
+        """Return a copy as pyvista.PolyData, with all arrays. Raises ModuleNotFoundError without PyVista."""
+        return exports.to_pyvista(self)
+
+    def to_trimesh(self) -> typing.Any:
+        """Return a copy as trimesh.Trimesh, with its picture. Raises ModuleNotFoundError without trimesh."""
+        return exports.to_trimesh(self)
+
+    def __len__(self) -> int:
+        return self._data.GetNumberOfPoints()
+
+    def __repr__(self) -> str:
+        return (f"<conformalsom.Surface: {len(self):,} points, {len(self.faces):,} triangles"
+                f"{', painted' if self.image else ''}>")
+
+    def _repr_html_(self) -> str:
+        return pages.frame(self)
+
+    def __getstate__(self) -> typing.Dict[str, typing.Any]:
+        return {"data": pickling.dumps(self._data), "texture": self.texture, "placement": self.placement,
+                "warnings": self._warnings}
+
+    def __setstate__(self, state: typing.Dict[str, typing.Any]) -> None:
+        self._data = pickling.loads(state["data"])
+        self._picture = None if state["texture"] is None else image_of(state["texture"]), state["placement"]
+        self._warnings = state["warnings"]
+
+    def _filtered(self, class_name: str, progress: Progress, properties: typing.Mapping[str, typing.Any]) -> "Surface":
+        """Run a filter on this surface; return its first output as a surface."""
+        algorithm, texts = updated(class_name, [self], progress, properties)
+        return Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts])
+
+
+def constant(array: typing.Any) -> Array:
+    """Return an array of VTK as one of NumPy over the same memory, which cannot be changed."""
+    values = vtk_to_numpy(array)
+    values.flags.writeable = False
+    return values
+
+
+def arrays_of(attributes: typing.Any) -> typing.Dict[str, Array]:
+    """Return the numeric arrays of point, cell or field data by their names."""
+    arrays = [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
+    return {array.GetName(): constant(array) for array in arrays if array is not None and array.GetName()}
