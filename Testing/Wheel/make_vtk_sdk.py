@@ -171,9 +171,11 @@ def configure(content, version, modules):
     files = os.path.join(content, "lib", TRIPLET, "cmake", f"vtk-{minor}")
     [wrapping] = glob.glob(os.path.join(modules, "libvtkWrappingPythonCore*.so"))
     edit(os.path.join(files, "VTK-targets-none.cmake"),
+         (rf"\$\{{_IMPORT_PREFIX\}}/lib/{TRIPLET}/libvtkWrappingPythonCore[^\"]*",
+          "${_IMPORT_PREFIX}/vtkmodules/" + os.path.basename(wrapping)),
+         (r'SONAME_NONE "libvtkWrappingPythonCore[^"]*"', f'SONAME_NONE "{os.path.basename(wrapping)}"'),
          (rf"\$\{{_IMPORT_PREFIX\}}/lib/{TRIPLET}/(libvtk\w+)-[\d.]+\.so\.[\d.]+", r"${_IMPORT_PREFIX}/vtkmodules/\1.so"),
-         (r'SONAME_NONE "(libvtk\w+)-[\d.]+\.so\.1"', r'SONAME_NONE "\1.so"'),
-         (r"libvtkWrappingPythonCore[\d.]*(?:-[\d.]+)?\.so(\.[\d.]+)?", os.path.basename(wrapping)))
+         (r'SONAME_NONE "(libvtk\w+)-[\d.]+\.so\.1"', r'SONAME_NONE "\1.so"'))
     # Debian's zlib and expat are the system's; those of the wheel are VTK's own.
     targets = "".join(
         f"add_library(VTK::{name} SHARED IMPORTED)\n"
