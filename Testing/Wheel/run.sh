@@ -1,14 +1,21 @@
 #!/usr/bin/env bash
-# run.sh [PYTHON]: make the wheel, install it in an empty virtual environment, and run tests of Python there.
+# run.sh [--all] [PYTHON]: make the wheel, install it in an empty virtual environment, and run tests there.
 #
-# PYTHON is python3 if it is not given. Writes build/wheel: the source distribution and the wheel in
-# dist, all output in log. The wheel is made of the source distribution. The wheel vtk-sdk is that of
-# Kitware's index, or where that is not reached the one that make_vtk_sdk.py makes. Without PyPI, all of
-# it is skipped. The wheel for tests is compiled with -O1; CONFORMALSOM_WHEEL_FLAGS has other flags.
+# Without --all, the wheel has the classes of the preset quickstart-files, compiled with -O1, and only the
+# tests of the wheel and of the command are run. With it, the wheel is the one that users get, and all tests
+# of Python that do not need Debian's programs are run. PYTHON is Debian's python3 if it is not given.
+# Writes build/wheel: the source distribution and the wheel in dist, logs, environments. The wheel is made of
+# the source distribution. The wheel vtk-sdk is that of Kitware's index, or where that is not reached the
+# one that make_vtk_sdk.py makes. Without PyPI, all of it is skipped.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source Testing/steps.sh
 
+all=''
+if [ "${1:-}" = --all ]; then
+  all=yes
+  shift
+fi
 python=${1:-/usr/bin/python3}
 folder=$PWD/build/wheel
 log=$folder/log
@@ -43,6 +50,16 @@ find_sdk()
 logged "$folder/sdk.log" "Finding VTK's wheel SDK" find_sdk ||
   skip "neither Kitware's index nor Debian has the wheel SDK of this VTK"
 
+# classes: those of the preset quickstart-files
+classes()
+{
+  "$tools" -c 'if True:
+    import json
+    presets = json.load(open("CMakePresets.json"))["configurePresets"]
+    [preset] = (preset for preset in presets if preset["name"] == "quickstart-files")
+    print(preset["cacheVariables"]["CONFORMALSOM_CLASSES"])'
+}
+
 # The unpacked source distribution has the same path in each run, for the compiler cache.
 make_wheel()
 {
@@ -50,10 +67,13 @@ make_wheel()
   "$tools" -m build --sdist --outdir "$folder/dist" .
   mkdir -p "$folder/source"
   tar --extract --file "$folder"/dist/*.tar.gz --directory "$folder/source" --strip-components 1
-  CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) PIP_FIND_LINKS=$folder/sdk \
+  local options=()
+  if [ -z "$all" ]; then
+    options=(-C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -C cmake.define.CONFORMALSOM_CLASSES="$(classes)")
+  fi
+  CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) PIP_FIND_LINKS="$folder/sdk ${PIP_FIND_LINKS:-}" \
     "$tools" -m pip wheel "$folder/source" --no-deps --wheel-dir "$folder/dist" -v \
-    -C build-dir="$folder/made" \
-    -C cmake.define.CMAKE_CXX_FLAGS_RELEASE="${CONFORMALSOM_WHEEL_FLAGS:--O1 -DNDEBUG}"
+    -C build-dir="$folder/made" "${options[@]}"
 }
 logged "$folder/build.log" "Building the wheel in build/wheel" make_wheel
 
@@ -63,19 +83,15 @@ user=$folder/venv/bin/python
 logged "$folder/install.log" "Installing the wheel" "$user" -m pip install "$folder"/dist/*"$tag"*.whl
 export CONFORMALSOM_COMMAND=$folder/venv/bin/conformalsom PYTHONPATH=$PWD/Examples/Python
 export CONFORMALSOM_PICTURES=$folder/pictures CONFORMALSOM_INSTALLED_WHEEL=1
+tests=(Testing/Wheel/test_wheel.py Testing/Python/test_command.py)
+if [ -n "$all" ]; then
+  tests+=(Testing/Python/test_{command_files,command_jobs,conformal_map,correspondence,measures,observers}.py)
+  tests+=(Testing/Python/test_{outputs,package,pictures,pipeline,pythonic,surfaces,texture_files,textures}.py)
+fi
 failed=()
-run_wheel_tests()
-{
-  local test
-  for test in wheel $(cat Testing/Wheel/tests.txt); do
-    local file=Testing/Python/test_$test.py
-    [ "$test" = wheel ] && file=Testing/Wheel/test_wheel.py
-    echo "== $test"
-    "$user" "$file" || failed+=("$test")
-  done
-  [ "${#failed[@]}" -eq 0 ] || { echo "Failed with the wheel: ${failed[*]}"; return 1; }
-}
-logged "$folder/test.log" "Testing the installed wheel" \
-  xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" \
-  bash -c "$(declare -f run_wheel_tests); failed=(); user=$user; run_wheel_tests"
-grep -E '^(==|Ran|OK|FAILED)' "$folder/test.log"
+for test in "${tests[@]}"; do
+  logged "$folder/$(basename "$test" .py).log" "Testing the wheel by $test" \
+    xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" "$user" "$test" || failed+=("$test")
+done
+[ "${#failed[@]}" -eq 0 ] || { echo "Failed with the wheel: ${failed[*]}" >&2; exit 1; }
+echo "The wheel passes ${#tests[@]} files of tests"
