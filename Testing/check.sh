@@ -6,6 +6,7 @@
 #   docs    the pages build without a warning, with all citations and links
 #   asan    all tests but those in Python, under AddressSanitizer and UndefinedBehaviorSanitizer
 #   tests   all tests, as Testing/run.sh
+#   wheel   the wheel of all classes passes the tests of Python
 #
 # Without arguments all of them. The jobs of .github/workflows/ci.yml are these.
 set -euo pipefail
@@ -54,7 +55,13 @@ check_tests()
   bash Testing/run.sh
 }
 
-all=(format docs tidy asan tests)
+check_wheel()
+{
+  install
+  bash Testing/Wheel/run.sh --all
+}
+
+all=(format docs tidy asan tests wheel)
 for check in "$@"; do
   [[ " ${all[*]} " == *" $check "* ]] || { echo "No check $check; there are ${all[*]}" >&2; exit 2; }
 done

@@ -31,7 +31,7 @@
  *
  * The page uses the library three.js for graphics. The writer copies this library into the page
  * from a file on this computer, see ThreeJSFileName. On Debian, the package libjs-three contains
- * this file. If the file is missing, there is an error.
+ * this file. If the file is missing, there is an error. The wheel for pip contains the library.
  *
  * Data in the page are rounded. Each coordinate is a 16-bit integer, scaled to the bounds of the
  * surface. Positions on the sphere have an error of at most 0.006 degrees. Values have an error of
@@ -132,8 +132,8 @@ public:
   ///@{
   /**
    * File name of three.js, release 111 or later, as a classic script or a CommonJS module:
-   * three.min.js, three.js or three.cjs. If the name is empty (default), the file of Debian's
-   * package libjs-three is used.
+   * three.min.js, three.js or three.cjs. If the name is empty (default), the library in the wheel for
+   * pip is used, or otherwise the file of Debian's package libjs-three.
    */
   vtkSetMacro(ThreeJSFileName, std::string);
   vtkGetMacro(ThreeJSFileName, std::string);

@@ -34,6 +34,10 @@ std::string findThreeJS()
 //------------------------------------------------------------------------------
 std::string readThreeJS(const std::string& fileName)
 {
+  if (fileName.empty() && !includedThreeJS().empty())
+  {
+    return std::string(includedThreeJS());
+  }
   const std::string name = fileName.empty() ? findThreeJS() : fileName;
   const std::filesystem::path path = std::filesystem::u8path(name);
   const auto fail = [&](const std::string& what)

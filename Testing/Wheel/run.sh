@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# run.sh [--all] [PYTHON]: make the wheel, install it in an empty virtual environment, and run tests there.
+#
+# Without --all, the wheel has the classes of the preset quickstart-files, compiled with -O1, and only the
+# tests of the wheel and of the command are run. With it, the wheel is the one that users get, and all tests
+# of Python that do not need Debian's programs are run. PYTHON is Debian's python3 if it is not given.
+# Writes build/wheel: the source distribution and the wheel in dist, logs, environments. The wheel is made of
+# the source distribution. The wheel vtk-sdk is that of Kitware's index, or where that is not reached the
+# one that make_vtk_sdk.py makes. Without PyPI, all of it is skipped.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+source Testing/steps.sh
+
+all=''
+if [ "${1:-}" = --all ]; then
+  all=yes
+  shift
+fi
+python=${1:-/usr/bin/python3}
+folder=$PWD/build/wheel
+log=$folder/log
+mkdir -p "$folder"
+export PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONDONTWRITEBYTECODE=1
+
+skip()
+{
+  echo "The tests of the wheel are skipped: $1"
+  exit 0
+}
+
+if [ "$python" = /usr/bin/python3 ]; then
+  bash CMake/install-packages.sh python3-venv python3-dev g++ || skip "python3-venv and python3-dev are missing"
+fi
+"$python" -m venv --clear "$folder/tools" >"$log" 2>&1 || skip "$python has no venv"
+tools=$folder/tools/bin/python
+timeout 300 "$tools" -m pip install --quiet build >>"$log" 2>&1 || skip "PyPI cannot be reached"
+tag=$("$tools" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
+
+# find_sdk: the wheel vtk-sdk into sdk
+find_sdk()
+{
+  local sdk
+  sdk=$(sed -n 's/^  "\(vtk-sdk==[^"]*\)".*/\1/p' pyproject.toml)
+  mkdir -p "$folder/sdk"
+  compgen -G "$folder/sdk/${sdk/-sdk==/_sdk-}-$tag-*.whl" >/dev/null ||
+    "$tools" -m pip download --quiet --no-deps --dest "$folder/sdk" --only-binary :all: \
+      --retries 0 --timeout 20 --extra-index-url https://wheels.vtk.org "$sdk" ||
+    nice "$tools" Testing/Wheel/make_vtk_sdk.py "$folder/sdk"
+}
+logged "$folder/sdk.log" "Finding VTK's wheel SDK" find_sdk ||
+  skip "neither Kitware's index nor Debian has the wheel SDK of this VTK"
+
+# classes: those of the preset quickstart-files
+classes()
+{
+  "$tools" -c 'if True:
+    import json
+    presets = json.load(open("CMakePresets.json"))["configurePresets"]
+    [preset] = (preset for preset in presets if preset["name"] == "quickstart-files")
+    print(preset["cacheVariables"]["CONFORMALSOM_CLASSES"])'
+}
+
+# The unpacked source distribution has the same path in each run, for the compiler cache.
+make_wheel()
+{
+  rm -rf "$folder/dist" "$folder/source" "$folder/made"
+  "$tools" -m build --sdist --outdir "$folder/dist" .
+  mkdir -p "$folder/source"
+  tar --extract --file "$folder"/dist/*.tar.gz --directory "$folder/source" --strip-components 1
+  local options=()
+  if [ -z "$all" ]; then
+    options=(-C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -C cmake.define.CONFORMALSOM_CLASSES="$(classes)")
+  fi
+  CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) PIP_FIND_LINKS="$folder/sdk ${PIP_FIND_LINKS:-}" \
+    "$tools" -m pip wheel "$folder/source" --no-deps --wheel-dir "$folder/dist" -v \
+    -C build-dir="$folder/made" "${options[@]}"
+}
+logged "$folder/build.log" "Building the wheel in build/wheel" make_wheel
+
+# What a user does, and tests of what is installed.
+"$python" -m venv --clear "$folder/venv"
+user=$folder/venv/bin/python
+logged "$folder/install.log" "Installing the wheel" "$user" -m pip install "$folder"/dist/*"$tag"*.whl
+export CONFORMALSOM_COMMAND=$folder/venv/bin/conformalsom PYTHONPATH=$PWD/Examples/Python
+export CONFORMALSOM_PICTURES=$folder/pictures CONFORMALSOM_INSTALLED_WHEEL=1
+tests=(Testing/Wheel/test_wheel.py Testing/Python/test_command.py)
+if [ -n "$all" ]; then
+  tests+=(Testing/Python/test_{command_files,command_jobs,conformal_map,correspondence,measures,observers}.py)
+  tests+=(Testing/Python/test_{outputs,package,pictures,pipeline,pythonic,surfaces,texture_files,textures}.py)
+fi
+failed=()
+for test in "${tests[@]}"; do
+  logged "$folder/$(basename "$test" .py).log" "Testing the wheel by $test" \
+    xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" "$user" "$test" || failed+=("$test")
+done
+[ "${#failed[@]}" -eq 0 ] || { echo "Failed with the wheel: ${failed[*]}" >&2; exit 1; }
+echo "The wheel passes ${#tests[@]} files of tests"
