@@ -7,7 +7,8 @@ makes a wheel of the same name and version, for the Python that runs it, from fo
 - libraries: the wheel vtk of PyPI, so that the linker finds what users have
 - headers, CMake files, programs that wrap classes: Debian's packages of the same version of VTK, which
   some suite of Debian must have
-- headers of VTK's own zlib and expat, which Debian leaves out: the wheel vtk-sdk of PyPI for macOS
+- headers of VTK's own zlib and expat, which Debian leaves out, and the header of the threads, which Debian
+  configures with TBB: the wheel vtk-sdk of PyPI for macOS
 - the C library of that suite, which runs the programs that wrap classes on older systems
 
 The wheel is only for tests. Its headers come from another build of VTK, so the script compares the sizes of all
@@ -267,7 +268,7 @@ def main():
         [others] = glob.glob(os.path.join(macos, "vtk_sdk", "content", "vtk-*.data", "headers", "vtk-*.*"))
         for name in ("vtkzlib", "vtkexpat"):
             shutil.copytree(os.path.join(others, name), os.path.join(headers, name))
-        for name in ("vtk_zlib.h", "vtk_expat.h"):
+        for name in ("vtk_zlib.h", "vtk_expat.h", "vtkSMP.h"):
             shutil.copy(os.path.join(others, name), headers)
         copy_libraries(modules, os.path.join(content, "vtkmodules"))
         copy_programs(debian, content)
