@@ -38,6 +38,11 @@ constexpr double LittleNoise = 0.5;
 // smoothness within a factor of two.
 constexpr double TypicalBending = 4.0;
 
+// Noise, in edge lengths, that crumples a surface that follows it. Fairing moves vertices along
+// their normals, and cannot smooth a crumpled surface. With this noise, the smoothness is doubled.
+// It increases by the fourth power of the noise, up to a maximum that keeps limbs.
+constexpr double CrumplingNoise = 0.08, MaximumIncrease = 5.5;
+
 // The residue of clean scans after a turn is smaller, in edge lengths, for any scan and number of
 // vertices. It is larger if the noise exceeds a sixth of an edge.
 constexpr double LargeResidue = 0.12;
@@ -89,8 +94,10 @@ double smoothnessFor(const Noise& noise, const LearnedMesh& result, Index count)
   const double edge =
     equalEdgeLength(surfaceArea(result.Positions, result.Triangles), result.Positions.rows());
   const double bending = TypicalBending * edge * edge;
+  const double crumpling = noise.Variance / (CrumplingNoise * CrumplingNoise * edge * edge);
+  const double increase = std::min(1.0 + crumpling * crumpling, MaximumIncrease);
   return noise.Variance > 0.0
-    ? noise.Variance / (bending * bending * static_cast<double>(count) / vertices)
+    ? increase * noise.Variance / (bending * bending * static_cast<double>(count) / vertices)
     : 0.0;
 }
 

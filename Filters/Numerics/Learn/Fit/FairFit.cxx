@@ -4,7 +4,6 @@
 #include "Base/Steps.h"
 #include "Learn/Fit/SurfaceSupport.h"
 #include "Linear/ShiftedSystem.h"
-#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/VertexNormals.h"
 
 #include <algorithm>
@@ -43,12 +42,6 @@ constexpr double MinimumCosine = 0.4;
 constexpr double AnchorOfSharp = 100.0; // weight of the displacement, in samples of a vertex
 
 constexpr double Ridge = 1e-10; // of the diagonal
-
-// If the noise exceeds NoiseOfTurn edge lengths, the fitted mesh is crumpled, and the solution is
-// repeated once for each NoiseOfTurn edge lengths. Measured on seven objects with noise of up to
-// 0.01 of the radius: with less noise, repeating blurs details by up to 3 %.
-constexpr double NoiseOfTurn = 0.12;
-constexpr int MaximumRepetitions = 3;
 
 /// Spread values over neighboring vertices. The sum of the values does not change.
 Eigen::VectorXd diffused(const Adjacency& neighbors, Eigen::VectorXd values, int steps)
@@ -255,13 +248,6 @@ public:
 
   const Points& positions() const { return this->Surface.Positions; }
 
-  /// Compute the standard deviation of the noise, in edge lengths.
-  double noiseOfEdge() const
-  {
-    const double area = surfaceArea(this->Surface.Positions, this->Surface.Triangles);
-    return std::sqrt(this->Variance) / equalEdgeLength(area, this->Surface.Positions.rows());
-  }
-
   FairFitResult result() const
   {
     FairFitResult result;
@@ -358,16 +344,9 @@ FairFitResult fairFit(
   const TrainingSamples& samples, const FairFitOptions& options, Mesh& mesh, const Run& run)
 {
   FairFit fit(samples, options, mesh);
-  Steps steps(run, { 0.55, 0.3, 0.15 });
+  Steps steps(run, { 0.65, 0.35 });
   fit.turn(steps.next());
   fit.turn(steps.next());
-  const Run rest = steps.next();
-  const int repetitions =
-    static_cast<int>(std::min<double>(MaximumRepetitions, fit.noiseOfEdge() / NoiseOfTurn));
-  for (int i = 0; i < repetitions; ++i)
-  {
-    fit.turn(rest.part(static_cast<double>(i) / repetitions, (i + 1.0) / repetitions));
-  }
   run.report(1.0);
   mesh.Positions = fit.positions();
   return fit.result();

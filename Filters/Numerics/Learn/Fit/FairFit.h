@@ -46,7 +46,7 @@ struct FairFitResult
 /// gradient of the mean curvature, summed over the surface (FairEquations.h). On spheres and
 /// cylinders, the mean curvature is constant, so that the penalty does not shrink these shapes.
 ///
-/// The minimum is computed in two steps with different penalties:
+/// The minimum is computed twice, in two steps with different penalties:
 ///
 /// 1. In the first step, a single weight is used. At each vertex, the penalty is divided by the
 ///    squared gradient of curvature of the fitted mesh near the vertex. The weight is selected by
@@ -61,10 +61,6 @@ struct FairFitResult
 ///    variances is one step of the EM algorithm \cite Dempster1977. The variances of the gradient
 ///    also depend on the direction. Along a ridge, the variance is small, and the surface is
 ///    smoothed. Across the ridge, the variance is large, and the ridge is kept.
-///
-/// If the noise is large relative to the edges of the mesh, the fitted mesh is crumpled, and its
-/// normals are uncertain. Then the second step is repeated up to three times, with the normals and
-/// the variances of the previous surface.
 ///
 /// Three kinds of vertices are held near their positions:
 /// - vertices in holes of the samples,
