@@ -33,10 +33,12 @@ logged()
   fi
 }
 
-# configure PRESET
+# configure PRESET [OPTION...]: of cmake
 configure()
 {
-  logged "build/$1/configure.log" "Configuring build/$1" cmake --preset "$1" "${launcher[@]}"
+  local preset=$1
+  shift
+  logged "build/$preset/configure.log" "Configuring build/$preset" cmake --preset "$preset" "${launcher[@]}" "$@"
 }
 
 # build PRESET [TARGET...]
