@@ -31,9 +31,9 @@ skip()
 if [ "$python" = /usr/bin/python3 ]; then
   bash CMake/install-packages.sh python3-venv python3-dev g++ || skip "python3-venv and python3-dev are missing"
 fi
-"$python" -m venv --clear "$folder/tools" >"$log" 2>&1 || skip "$python has no venv"
+"$python" -m venv "$folder/tools" >"$log" 2>&1 || skip "$python has no venv"
 tools=$folder/tools/bin/python
-timeout 300 "$tools" -m pip install --quiet build >>"$log" 2>&1 || skip "PyPI cannot be reached"
+timeout 300 "$tools" -m pip install --quiet --retries 1 --timeout 20 build >>"$log" 2>&1 || skip "PyPI cannot be reached"
 tag=$("$tools" -c 'import sys; print("cp%d%d" % sys.version_info[:2])')
 
 # find_sdk: the wheel vtk-sdk into sdk
@@ -60,19 +60,31 @@ classes()
     print(preset["cacheVariables"]["CONFORMALSOM_CLASSES"])'
 }
 
-# The unpacked source distribution has the same path in each run, for the compiler cache.
+# install_requirements: what pyproject.toml requires for building
+install_requirements()
+{
+  "$tools" -c 'if True:
+    import re
+    text = re.search(r"requires = \[(.*?)\n\]", open("pyproject.toml").read(), re.S)[1]
+    print(*re.findall(r"\"([^\"]+)\"", text), sep="\n")' >"$folder/requirements.txt"
+  PIP_FIND_LINKS="$folder/sdk ${PIP_FIND_LINKS:-}" "$tools" -m pip install --requirement "$folder/requirements.txt"
+}
+
+# All paths are the same in each run, for the compiler cache: that of the unpacked source distribution, and
+# those of the packages to build with, which an isolated build would have in a new folder each time.
 make_wheel()
 {
   rm -rf "$folder/dist" "$folder/source" "$folder/made"
-  "$tools" -m build --sdist --outdir "$folder/dist" .
+  install_requirements || return
+  "$tools" -m build --sdist --no-isolation --outdir "$folder/dist" . || return
   mkdir -p "$folder/source"
-  tar --extract --file "$folder"/dist/*.tar.gz --directory "$folder/source" --strip-components 1
+  tar --extract --file "$folder"/dist/*.tar.gz --directory "$folder/source" --strip-components 1 || return
   local options=()
   if [ -z "$all" ]; then
     options=(-C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -C cmake.define.CONFORMALSOM_CLASSES="$(classes)")
   fi
-  CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) PIP_FIND_LINKS="$folder/sdk ${PIP_FIND_LINKS:-}" \
-    "$tools" -m pip wheel "$folder/source" --no-deps --wheel-dir "$folder/dist" -v \
+  CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) \
+    "$tools" -m pip wheel "$folder/source" --no-build-isolation --no-deps --wheel-dir "$folder/dist" -v \
     -C build-dir="$folder/made" "${options[@]}"
 }
 logged "$folder/build.log" "Building the wheel in build/wheel" make_wheel
