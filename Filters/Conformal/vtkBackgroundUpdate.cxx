@@ -17,37 +17,6 @@ vtkStandardNewMacro(vtkBackgroundUpdate);
 
 namespace
 {
-// Observer on the new thread. Other threads read only the atomic members while the update runs.
-class Listener : public vtkCommand
-{
-public:
-  static Listener* New() { return new Listener; }
-
-  void Execute(vtkObject* caller, unsigned long event, void* data) override
-  {
-    if (event == vtkCommand::ProgressEvent)
-    {
-      this->Progress = *static_cast<double*>(data);
-      // The executive clears this flag at the start of an update, so that Abort() must not set it.
-      if (this->IsAborted)
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    }
-    else
-    {
-      const char* text = static_cast<const char*>(data);
-      auto& texts = event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings;
-      texts.emplace_back(text ? text : "");
-    }
-  }
-
-  std::atomic<double> Progress{ 0.0 };
-  std::atomic<bool> IsAborted{ false };
-  std::atomic<bool> IsRunning{ false };
-  std::vector<std::string> Errors, Warnings;
-};
-
 int SizeOf(const std::vector<std::string>& texts)
 {
   return static_cast<int>(texts.size());
@@ -61,6 +30,38 @@ std::string TextOf(const std::vector<std::string>& texts, int index)
 
 struct vtkBackgroundUpdate::State
 {
+  // Observer on the new thread. Other threads read only the atomic members while the update runs.
+  class Listener : public vtkCommand
+  {
+  public:
+    static Listener* New() { return new Listener; }
+
+    void Execute(vtkObject* caller, unsigned long event, void* data) override
+    {
+      if (event == vtkCommand::ProgressEvent)
+      {
+        this->Progress = *static_cast<double*>(data);
+        // The executive clears this flag at the start of an update, so that Abort() must not set
+        // it.
+        if (this->IsAborted)
+        {
+          static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+        }
+      }
+      else
+      {
+        const char* text = static_cast<const char*>(data);
+        auto& texts = event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings;
+        texts.emplace_back(text ? text : "");
+      }
+    }
+
+    std::atomic<double> Progress{ 0.0 };
+    std::atomic<bool> IsAborted{ false };
+    std::atomic<bool> IsRunning{ false };
+    std::vector<std::string> Errors, Warnings;
+  };
+
   vtkSmartPointer<vtkAlgorithm> Algorithm;
   vtkSmartPointer<vtkExecutive> Executive;
   vtkSmartPointer<Listener> Heard = vtkSmartPointer<Listener>::New();
