@@ -22,7 +22,8 @@ from helpers import builtin_figure, clouds
 LATTICES = ("Geodesic", "Adaptive")
 COLUMNS = ("p2s", "s2p", "web %", "Hausdorff", "folds", "angle", "obtuse %", "K")
 CUTS = (2, 3, 4)
-OF_SURFACE = ("CSS p2s", "CSS s2p") + tuple(f"k = {k}" for k in CUTS)
+OTHER_POINTS = 60000
+OF_SURFACE = ("CSS p2s", "CSS s2p") + tuple(f"k = {k}" for k in CUTS) + tuple(f"others {k}" for k in CUTS)
 
 
 def triangulated(model):
@@ -34,10 +35,10 @@ def triangulated(model):
     return triangles.GetOutput()
 
 
-def spread(model, count, noise=0.0):
+def spread(model, count, noise=0.0, seed=1):
     """Points evenly over the model's area, or its vertices for a count of 0; with Gaussian noise along
     each axis, whose standard deviation is a share of the model's largest radius."""
-    random = np.random.RandomState(1)
+    random = np.random.RandomState(seed)
     vertices = vtk_to_numpy(model.GetPoints().GetData()).astype(float)
     points = builtin_figure.even_samples(model, count, random) if count else vertices
     if noise > 0.0:
@@ -131,9 +132,12 @@ def distances(surface, model):
 
 def measured_surfaces(mesh, model):
     """The columns of the surfaces over a mesh by name."""
-    of_mesh = distances(mesh, model)[0]
-    return dict(zip(OF_SURFACE, distances(surface_over(mesh), model) + [
-        distances(surface_over(mesh, k), model)[0] / of_mesh for k in CUTS]))
+    others = spread(model, OTHER_POINTS, seed=2)
+    of_mesh, of_others = distances(mesh, model)[0], distances(mesh, others)[0]
+    cut = {k: surface_over(mesh, k) for k in CUTS}
+    return dict(zip(OF_SURFACE, distances(surface_over(mesh), model)
+                    + [distances(cut[k], model)[0] / of_mesh for k in CUTS]
+                    + [distances(cut[k], others)[0] / of_others for k in CUTS]))
 
 
 def compared(model, frequency=36, count=40000, noise=0.0, surfaces=False):
@@ -179,7 +183,8 @@ def main():
     print("Lengths: the model's largest radius is 1. p2s, s2p: mean square distances of the model's\n"
           "vertices to the mesh, and of the mesh to the model. angle: mean smallest, in degrees. K: of\n"
           "the conformal map, 1 if angles are kept. of noise: the root of p2s, as a share of the noise.\n"
-          "CSS: of the surface over the mesh; k: p2s over the mesh's, each triangle cut into k x k.")
+          "CSS: of the surface over the mesh; k: p2s over the mesh's, each triangle cut into k x k;\n"
+          "others k: the same, of points even over the model's area that were not learned.")
 
 
 if __name__ == "__main__":

@@ -30,6 +30,7 @@ conformal::SurfaceMismatchOptions OptionsOf(vtkSurfaceMismatch* self)
   options.LengthUnit = static_cast<conformal::MismatchUnit>(self->GetLengthUnit());
   options.NumberOfSamples = self->GetNumberOfSamples();
   options.RandomSeed = self->GetRandomSeed();
+  options.CurvatureRadius = self->GetCurvatureRadius();
   return options;
 }
 
@@ -76,6 +77,7 @@ void AddFigures(vtkFieldData* data, const conformal::SurfaceMismatch& mismatch)
   if (mismatch.HasNormalAngle)
   {
     glue::AddNumber(data, "RootMeanSquareNormalAngle", mismatch.RootMeanSquareNormalAngle);
+    glue::AddNumber(data, "RootMeanSquareCurvatureError", mismatch.RootMeanSquareCurvatureError);
   }
   glue::AddNumber(data, "LengthUnit", mismatch.LengthUnit);
 }
@@ -164,5 +166,6 @@ void vtkSurfaceMismatch::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LengthUnit: " << lengthUnits[this->LengthUnit] << "\n";
   os << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "CurvatureRadius: " << this->CurvatureRadius << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -34,6 +34,11 @@
  *   in degrees, from 0 to 90. At each random sample of the model, the normal of the model's
  *   triangle is compared with the normal of the reference's closest triangle. If the reference has
  *   no polygons, this array does not exist.
+ * - "RootMeanSquareCurvatureError": root mean square difference of the mean curvatures of model and
+ *   reference. At up to 6000 of the random samples, the mean curvature is averaged over a disk of
+ *   each surface, see the property CurvatureRadius. A curvature of 1 is that of a sphere of the
+ *   radius LengthUnit. The value is in units of 1 / LengthUnit. If the reference has no polygons,
+ *   this array does not exist.
  * - "WebFraction": fraction of the model's area that is farther from the reference than 0.02. This
  *   distance is in the unit selected by the property LengthUnit.
  * - "LengthUnit": length of the unit that the property LengthUnit selects, in units of the
@@ -109,6 +114,17 @@ public:
 
   ///@{
   /**
+   * Radius of the disks over which mean curvatures are averaged, as a fraction of half the diagonal
+   * of the reference's bounding box. A disk consists of connected triangles. If the radius is
+   * smaller than the triangles, the value of a disk is that of one triangle. In [0, 0.5]. Default
+   * is 0.03.
+   */
+  vtkSetClampMacro(CurvatureRadius, double, 0.0, 0.5);
+  vtkGetMacro(CurvatureRadius, double);
+  ///@}
+
+  ///@{
+  /**
    * Set the reference: the surface or cloud of points with which the model is compared.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* output);
@@ -139,6 +155,7 @@ private:
   int LengthUnit = MAX_RADIUS;
   int NumberOfSamples = 60000;
   int RandomSeed = 1;
+  double CurvatureRadius = 0.03;
   vtkMultiProcessController* Controller = nullptr;
 };
 

@@ -43,7 +43,8 @@ ScaledRun Measures(int unit, bool isCloud)
   if (none)
   {
     run.Powers = { { "HausdorffDistance", 1 }, { "MeanSquarePointToSurface", 2 },
-      { "MeanSquarePointToVertex", 2 }, { "MeanSquareSurfaceToPoint", 2 } };
+      { "MeanSquarePointToVertex", 2 }, { "MeanSquareSurfaceToPoint", 2 },
+      { "RootMeanSquareCurvatureError", -1 } };
     run.Ignored = { "WebFraction" }; // farther than 0.02 in this unit
   }
   return run;

@@ -2,6 +2,7 @@
 
 #include "Base/AcrossProcesses.h"
 #include "Base/Steps.h"
+#include "Measure/MeanCurvature.h"
 #include "Search/TriangleTree.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ struct Frame
 {
   Vector3 Center = Vector3::Zero();
   double Unit = 1.0;
+  double HalfDiagonal = 0.0; // of the reference, in this frame
 
   Vector3 operator()(const Vector3& x) const { return (x - this->Center) / this->Unit; }
   Points operator()(const PointView& points) const
@@ -77,6 +79,7 @@ Frame frameOf(const PointView& reference, Index total, MismatchUnit unit, const 
     throw std::invalid_argument("all points of the reference coincide, so there is no unit of "
                                 "length; set LengthUnit to None");
   }
+  frame.HalfDiagonal = (box.Upper - middle).stableNorm() / frame.Unit;
   return frame;
 }
 
@@ -262,6 +265,57 @@ double normalAngle(const Points& model, const Triangles& modelTriangles,
   return count > 0.0 ? std::sqrt(sum / count) * 180.0 / Pi : 0.0;
 }
 
+// Root mean square difference of mean curvatures at samples of the model and at the closest triangles
+// of the reference. A reference with the opposite orientation has the opposite curvature. A pair of
+// triangles that are perpendicular to each other, of area zero, or of a curvature beyond the range of
+// doubles is left out.
+double curvatureError(const Points& model, const Triangles& modelTriangles, const Spread& samples,
+  const Points& reference, const Triangles& referenceTriangles, const std::vector<int>& feet,
+  double radius, const Run& run)
+{
+  const MeanCurvature ofModel(model, modelTriangles, run.unwatched()),
+    ofReference(reference, referenceTriangles, run.unwatched());
+  const Index all = static_cast<Index>(feet.size());
+  const Index count = std::min<Index>(all, MaximumCurvatureSamples);
+  Eigen::VectorXd squares = Eigen::VectorXd::Constant(count, -1.0);
+  constexpr Index blockSize = 64, chunkSize = 16 * blockSize;
+  for (Index start = 0; start < count; start += chunkSize)
+  {
+    const Index length = std::min(chunkSize, count - start);
+    forBlocks(run, length, blockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index j = start + begin; j < start + end; ++j)
+        {
+          const Index i = j * all / count;
+          const int r = samples.Triangles[i], s = feet[i];
+          const double cosine = s < 0
+            ? 0.0
+            : normalOf(model, modelTriangles, r).dot(normalOf(reference, referenceTriangles, s));
+          if (cosine == 0.0)
+          {
+            continue;
+          }
+          const Vector3 x = samples.Positions.row(i);
+          const double difference = ofModel.over(x, r, radius) -
+            (cosine > 0.0 ? 1.0 : -1.0) * ofReference.over(x, s, radius);
+          if (std::isfinite(difference * difference))
+          {
+            squares[j] = difference * difference;
+          }
+        }
+      });
+    run.report(static_cast<double>(start + length) / static_cast<double>(count));
+  }
+  double sum = 0.0, measured = 0.0;
+  for (Index j = 0; j < count; ++j)
+  {
+    sum += std::max(squares[j], 0.0);
+    measured += squares[j] >= 0.0 ? 1.0 : 0.0;
+  }
+  return measured > 0.0 ? std::sqrt(sum / measured) : 0.0;
+}
+
 // Statistics of values distributed over ranks, or held once.
 double meanOf(const std::vector<double>& values, Index total, const Reduce& reduce = {})
 {
@@ -357,8 +411,9 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   requireUsable(modelTriangles, total, options);
   const Index size = referencePoints.size();
   // Points, then a tree and a search each: from the reference to the model's triangles and to its
-  // vertices, from samples and from vertices of the model to the reference; then the figures.
-  Steps steps(run, { 0.02, 0.21, 0.12, 0.11, 0.12, 0.21, 0.02, 0.05, 0.12, 0.02 });
+  // vertices, from samples and from vertices of the model to the reference; then the figures and
+  // curvatures.
+  Steps steps(run, { 0.02, 0.21, 0.12, 0.11, 0.12, 0.21, 0.02, 0.05, 0.12, 0.02, 0.1 });
   steps.next();
   requireFinite(modelPoints, "model", {});
   requireFinite(referencePoints, "reference", reduce);
@@ -411,6 +466,10 @@ SurfaceMismatch measureSurfaceMismatch(const PointView& modelPoints,
   {
     result.RootMeanSquareNormalAngle =
       normalAngle(model, modelTriangles, samples.Triangles, referenceFrame, triangles, feet);
+    result.RootMeanSquareCurvatureError =
+      curvatureError(model, modelTriangles, samples, referenceFrame, triangles, feet,
+        options.CurvatureRadius * frame.HalfDiagonal, steps.next()) /
+      figureUnit;
   }
   const double web = WebDistance / figureUnit;
   result.WebFraction = fractionAbove(back, web * web);

@@ -28,7 +28,13 @@ struct SurfaceMismatchOptions
   /// Number of samples of the surface of the model, spread evenly over the area.
   int NumberOfSamples = 60000;
   int RandomSeed = 1; ///< seed of the positions of the samples
+  /// Radius of the disks over which curvatures are averaged, as a fraction of half the diagonal of
+  /// the bounding box of the reference.
+  double CurvatureRadius = 0.03;
 };
+
+/// Maximum number of samples at which curvatures are compared.
+constexpr int MaximumCurvatureSamples = 6000;
 
 /// A web is a part of the model that spans a gap of the object. Parts of the model count as webs if
 /// they are farther than this distance from the reference [LengthUnit].
@@ -53,6 +59,10 @@ struct SurfaceMismatch
   /// reference is measured. This is the root mean square of all angles, in [0, 90] degrees. Valid
   /// if HasNormalAngle is true.
   double RootMeanSquareNormalAngle = 0.0;
+  /// Root mean square difference of the mean curvatures of model and reference, see MeanCurvature,
+  /// over at most MaximumCurvatureSamples of the samples [1 / LengthUnit]. Valid if HasNormalAngle
+  /// is true.
+  double RootMeanSquareCurvatureError = 0.0;
   bool HasNormalAngle = false; ///< whether the reference has triangles
   /// Fraction of the area of the model that is farther than WebDistance from the reference, in [0,
   /// 1].

@@ -159,7 +159,9 @@ void CurvedSeamlessSurface::curve(
   Points normals = Points::Zero(this->Model.rows(), 3);
   if (this->Options.DomeHeight != DomeHeight::None)
   {
-    normals = vertexNormals(this->Model, this->Triangles, around, run);
+    normals = this->Options.DomeHeight == DomeHeight::Fitted
+      ? vertexNormals(this->Model, this->Triangles, around, run)
+      : curvingNormals(this->Model, this->Triangles, around, this->Neighbors, run);
   }
   this->Curved = CurvedTriangles(this->Model, normals, this->Triangles);
   if (this->Options.VertexShift > 0.0 && this->Options.DomeHeight != DomeHeight::None)

@@ -1,5 +1,8 @@
 #include "Surface/CurvedTriangles.h"
 
+#include "Mesh/Creases.h"
+#include "Mesh/VertexNormals.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +13,8 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 256;
+// Length of normals on creases. It is not 0, since the direction is used for shading.
+constexpr double CreaseNormal = 1e-3;
 }
 
 CurvedTriangle::CurvedTriangle(
@@ -210,6 +215,20 @@ CurvedTriangle CurvedTriangles::operator[](Index triangle) const
     normals[k] = this->Normals.row(this->Triangles(triangle, k));
   }
   return CurvedTriangle(positions, normals);
+}
+
+//------------------------------------------------------------------------------
+Points curvingNormals(const Points& positions, const Triangles& triangles, const Adjacency& around,
+  const Triangles& across, const Run& run)
+{
+  Points normals = vertexNormals(positions, triangles, around, run);
+  const std::vector<unsigned char> creases =
+    creaseVertices(positions, triangles, around, across, run);
+  for (Index i = 0; i < normals.rows(); ++i)
+  {
+    normals.row(i) *= creases[i] ? CreaseNormal : 1.0;
+  }
+  return normals;
 }
 
 //------------------------------------------------------------------------------

@@ -107,6 +107,15 @@ private:
   conformal::Triangles Triangles;
 };
 
+/// Compute the vertex normals for curved triangles over a mesh. They are those of vertexNormals(),
+/// but 1000 times shorter at vertices on creases, see creaseVertices(). There, no normal is
+/// perpendicular to all parts of the surface. Curved triangles between vertices on creases are
+/// therefore flat.
+/// @param[in] around  result of vertexTriangles() for these triangles
+/// @param[in] across  result of triangleNeighbors() for these triangles
+Points curvingNormals(const Points& positions, const Triangles& triangles, const Adjacency& around,
+  const Triangles& across, const Run& run = {});
+
 /// Move vertices inward on ridges and outward in hollows. On average, curved triangles through the
 /// moved vertices then coincide with the flat triangles through the original vertices.
 ///

@@ -5,7 +5,6 @@
 #include "Cloud/FootPoints.h"
 #include "Cloud/SampleRotation.h"
 #include "Mesh/MeshTopology.h"
-#include "Mesh/VertexNormals.h"
 #include "Search/TriangleTree.h"
 #include "Surface/CurvedTriangles.h"
 
@@ -78,7 +77,8 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
   const Run preparing = steps.next().unwatched();
   const Points positions = samples.normalizeAll(mesh.Positions);
   const Adjacency around = vertexTriangles(triangles, positions.rows());
-  const Points normals = vertexNormals(positions, triangles, around, preparing);
+  const Points normals = curvingNormals(
+    positions, triangles, around, triangleNeighbors(triangles, around), preparing);
   const CurvedTriangles raised(positions, normals, triangles);
   const Points moved = lowerVertices(raised, around, 1.0, preparing);
   const CurvedTriangles lowered(moved, normals, triangles);
