@@ -13,8 +13,8 @@ namespace conformal
 ///
 /// The mean curvature of a surface with the unit normal n is H = div(n) / 2, the mean of the two
 /// principal curvatures. For outward normals, H is positive on a ridge, and 1 / r on a sphere of
-/// radius r. On a triangle, n is interpolated linearly from the normals n_i at its corners. Let N be
-/// the normal of the triangle, A its area, and e_i the edge opposite to corner i. Then
+/// radius r. On a triangle, n is interpolated linearly from the normals n_i at its corners. Let N
+/// be the normal of the triangle, A its area, and e_i the edge opposite to corner i. Then
 ///
 ///     H = sum_i n_i . (N x e_i) / (4 A)
 ///

@@ -265,10 +265,10 @@ double normalAngle(const Points& model, const Triangles& modelTriangles,
   return count > 0.0 ? std::sqrt(sum / count) * 180.0 / Pi : 0.0;
 }
 
-// Root mean square difference of mean curvatures at samples of the model and at the closest triangles
-// of the reference. A reference with the opposite orientation has the opposite curvature. A pair of
-// triangles that are perpendicular to each other, of area zero, or of a curvature beyond the range of
-// doubles is left out.
+// Root mean square difference of mean curvatures at samples of the model and at the closest
+// triangles of the reference. A reference with the opposite orientation has the opposite curvature.
+// A pair of triangles that are perpendicular to each other, of area zero, or of a curvature beyond
+// the range of doubles is left out.
 double curvatureError(const Points& model, const Triangles& modelTriangles, const Spread& samples,
   const Points& reference, const Triangles& referenceTriangles, const std::vector<int>& feet,
   double radius, const Run& run)

@@ -20,6 +20,7 @@ bool sideIsSmooth(const Triangles& triangles, const Triangles& across, const Poi
 {
   const int center = triangles(r, apex);
   const double cosine = std::cos(maximum);
+  int others = 0;
   // Turn around the apex in both directions, until a sharp edge or the start.
   for (const bool forward : { true, false })
   {
@@ -36,11 +37,12 @@ bool sideIsSmooth(const Triangles& triangles, const Triangles& across, const Poi
       {
         return false;
       }
+      ++others;
       at = beside;
       corner = triangles(at, 0) == center ? 0 : triangles(at, 1) == center ? 1 : 2;
     }
   }
-  return true;
+  return others > 0;
 }
 }
 
@@ -82,8 +84,8 @@ std::vector<unsigned char> creaseVertices(const Points& points, const Triangles&
           const double maximum = BendOfSide * std::acos(std::max(cosine, -1.0));
           const auto smooth = [&](Index triangle, int corner)
           {
-            return sideIsSmooth(triangles, across, normals, around.size(triangles(triangle, corner)),
-              triangle, corner, maximum);
+            return sideIsSmooth(triangles, across, normals,
+              around.size(triangles(triangle, corner)), triangle, corner, maximum);
           };
           if (smooth(r, previous(k)) && smooth(other, apex))
           {

@@ -18,8 +18,8 @@ namespace conformal
 /// differ by 37 degrees or more. Second, the surface bends much less on both sides of the edge. A
 /// side consists of the triangles around the vertex opposite to the edge, as far as they can be
 /// reached without crossing an angle of 37 degrees. On a side, no normal may differ from the normal
-/// of the triangle at the edge by more than 0.4 times the angle of the edge. The second condition
-/// excludes round shapes with coarse triangles.
+/// of the triangle at the edge by more than 0.4 times the angle of the edge, and a side has at
+/// least two triangles. The second condition excludes round shapes with coarse triangles.
 ///
 /// A vertex is marked if it has two or more such edges, since a crease continues in two directions.
 ///

@@ -46,7 +46,8 @@ TEST(MeanCurvature, KnowsSpheres)
   }
 }
 
-// At the end of the first axis of an ellipsoid with semi-axes a, b, c: H = a / 2 (1 / b^2 + 1 / c^2).
+// At the end of the first axis of an ellipsoid with semi-axes a, b, c: H = a / 2 (1 / b^2 + 1 /
+// c^2).
 TEST(MeanCurvature, KnowsAnEllipsoid)
 {
   Mesh mesh = sphere(60, 1.0);
