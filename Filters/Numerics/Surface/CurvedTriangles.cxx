@@ -1,7 +1,7 @@
 #include "Surface/CurvedTriangles.h"
 
-#include "Mesh/Creases.h"
 #include "Mesh/VertexNormals.h"
+#include "Surface/Creases.h"
 
 #include <algorithm>
 #include <cmath>

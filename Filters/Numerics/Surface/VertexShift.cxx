@@ -77,8 +77,8 @@ double vertexShift(const Mesh& mesh, const TrainingSamples& samples, const Run& 
   const Run preparing = steps.next().unwatched();
   const Points positions = samples.normalizeAll(mesh.Positions);
   const Adjacency around = vertexTriangles(triangles, positions.rows());
-  const Points normals = curvingNormals(
-    positions, triangles, around, triangleNeighbors(triangles, around), preparing);
+  const Points normals =
+    curvingNormals(positions, triangles, around, triangleNeighbors(triangles, around), preparing);
   const CurvedTriangles raised(positions, normals, triangles);
   const Points moved = lowerVertices(raised, around, 1.0, preparing);
   const CurvedTriangles lowered(moved, normals, triangles);

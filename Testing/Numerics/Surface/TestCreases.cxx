@@ -1,4 +1,4 @@
-#include "Mesh/Creases.h"
+#include "Surface/Creases.h"
 
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/VertexNormals.h"

@@ -1,4 +1,4 @@
-#include "Mesh/Creases.h"
+#include "Surface/Creases.h"
 
 #include <algorithm>
 #include <cmath>
