@@ -3,7 +3,8 @@
 Columns of the table: charts, connected parts of the texture; seams, the length of all seams on the surface, divided by
 the square root of its area; K, mean ratio of the largest to the smallest stretch of a triangle; angles, mean change of
 an angle in degrees; areas, standard deviation of the logarithm of the ratio of areas; flipped, triangles that have no
-area in the texture, or the orientation that fewer triangles of the chart have (charts may be mirrored); filled, fraction of the texture that triangles cover; added, points added.
+area in the texture, or the orientation that fewer triangles of the chart have (charts may be mirrored); filled, fraction of the texture that triangles cover; added, points added. Coincident points with equal texture coordinates are
+no seam.
 """
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -51,6 +52,15 @@ def charts_of(x, triangles):
     return vtk_to_numpy(parts.GetOutput().GetCellData().GetArray("RegionId"))
 
 
+def welded(x, triangles, texture):
+    """The same with each point once where several agree in position and in the texture, both to 1e-3."""
+    for shift in (0.0, 0.5):  # twice, since equal numbers may be rounded to two neighbors
+        keys = np.floor(1e3 * np.hstack([x, texture]) + shift + 0.25)
+        _, first, ids = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+        x, triangles, texture = x[first], ids.ravel()[triangles], texture[first]
+    return x, triangles, texture
+
+
 def seams(x, triangles):
     """Half the length of all boundaries."""
     check = conformalsom.vtkGenusZeroCheck()
@@ -77,10 +87,11 @@ def print_table(meshes):
             if missing([library]):
                 continue
             (points, cut, texture), seconds, memory = measured(library, function, x, triangles, *further)
-            charts = charts_of(points, cut)
+            joined, corners, _ = welded(points, cut, texture)
+            charts = charts_of(joined, corners)
             k, angles, areas, flipped = planar_distortion(points, cut, texture, charts)
             u, v, w = (texture[cut[:, i]] for i in range(3))
             filled = 0.5 * np.abs(np.cross(v - u, w - u)).sum() / (ASPECT.get(further[1]) if further else 1.0)
-            print_row(name, f"{len(triangles):,}", method, f"{charts.max() + 1:,}", rounded(seams(points, cut) / size), rounded(k),
+            print_row(name, f"{len(triangles):,}", method, f"{charts.max() + 1:,}", rounded(seams(joined, corners) / size), rounded(k),
                       rounded(angles), rounded(areas), flipped, f"{filled:.2f}", f"{len(points) - len(x):,}",
                       f"{seconds:.1f}", f"{memory:,.0f}")

@@ -40,7 +40,7 @@ import harmonics_methods
 import map_methods
 import reconstruction_methods
 from compare_smoothing import surface_of
-from known_objects import field_value, triangles_of
+from known_objects import field_value
 from measure_scanner_noise import Target
 from separate_process import measured, missing, print_header, print_row, rounded, versions
 
@@ -57,7 +57,6 @@ def distances(surface, target, tools):
     square, p2s, hausdorff, normals = (field_value(measure.GetOutput(), name) for name in (
         "MeanSquareSurfaceToPoint", "MeanSquarePointToSurface", "HausdorffDistance", "RootMeanSquareNormalAngle"))
     if tools:
-        sys.path.append(tools)
         import surface_error  # pylint: disable=import-outside-toplevel,import-error
         found = surface_error.compare((target.x, target.triangles), surface)
         square, p2s, hausdorff = found["s2p"], found["p2s"], found["hausdorff"]
@@ -104,7 +103,7 @@ def meshes(arguments):
     """Name, positions and triangles of each object."""
     for name in arguments.objects:
         target = Target(name, arguments.scans)
-        yield name, target.x, triangles_of(target.mesh)
+        yield name, target.x, target.triangles
 
 
 TABLES = {"surfaces": surfaces,
@@ -133,6 +132,8 @@ def main():
     parser.add_argument("--scans", default="../shared/data", help="folder of the scans")
     parser.add_argument("--tools", help="folder of surface_error.py")
     arguments = parser.parse_args()
+    if arguments.tools:
+        sys.path.append(arguments.tools)
     arguments.matches = lambda method: any(word in method for word in arguments.methods)
     print(f"{datetime.date.today()}, VTK {vtkVersion.GetVTKVersion()}, Python {sys.version.split()[0]}, "
           f"{versions(LIBRARIES)}")
