@@ -3,7 +3,8 @@
 Columns of the table: charts, connected parts of the texture; seams, the length of all seams on the surface, divided by
 the square root of its area; K, mean ratio of the largest to the smallest stretch of a triangle; angles, mean change of
 an angle in degrees; areas, standard deviation of the logarithm of the ratio of areas; flipped, triangles that have no
-area in the texture, or the orientation that fewer triangles of the chart have (charts may be mirrored); filled, fraction of the texture that triangles cover; added, points added. Coincident points with equal texture coordinates are
+area in the texture, or the orientation that fewer triangles of the chart have (charts may be mirrored); filled,
+fraction of the texture that triangles cover; added, points added. Coincident points with equal texture coordinates are
 no seam.
 """
 import numpy as np
@@ -21,17 +22,17 @@ ASPECT = {"Octahedral": 1.0, "CubeMap": 1.5}  # width of the image divided by it
 
 
 def xatlas_charts(x, triangles):
-    """Positions, triangles and texture coordinates."""
+    """Positions, triangles, texture coordinates in units of the image's height, and width divided by height."""
     import xatlas  # pylint: disable=import-outside-toplevel
     atlas = xatlas.Atlas()
     atlas.add_mesh(x.astype(np.float32), triangles.astype(np.uint32))
     atlas.generate()
     ids, cut, texture = atlas[0]
-    return x[ids], cut.astype(np.int64), texture * (atlas.width / atlas.height, 1.0)
+    return x[ids], cut.astype(np.int64), texture * (atlas.width / atlas.height, 1.0), atlas.width / atlas.height
 
 
 def sphere_charts(x, triangles, balance, projection):
-    """Positions, triangles and texture coordinates."""
+    """Positions, triangles, texture coordinates in units of the image's height, and width divided by height."""
     painted = conformalsom.vtkSphericalTextureMap()
     painted.SetInputData(conformalsom.conformal_map((x, triangles), area_balance=balance).polydata)
     getattr(painted, "SetProjectionTo" + projection)()
@@ -39,7 +40,7 @@ def sphere_charts(x, triangles, balance, projection):
     painted.Update()
     surface = conformalsom.Surface(painted.GetOutput())
     texture = vtk_to_numpy(painted.GetOutput().GetPointData().GetTCoords())
-    return surface.points.copy(), surface.faces.copy(), texture * (ASPECT[projection], 1.0)
+    return surface.points.copy(), surface.faces.copy(), texture * (ASPECT[projection], 1.0), ASPECT[projection]
 
 
 def charts_of(x, triangles):
@@ -86,12 +87,12 @@ def print_table(meshes):
         for method, library, function, further in methods():
             if missing([library]):
                 continue
-            (points, cut, texture), seconds, memory = measured(library, function, x, triangles, *further)
+            (points, cut, texture, aspect), seconds, memory = measured(library, function, x, triangles, *further)
             joined, corners, _ = welded(points, cut, texture)
             charts = charts_of(joined, corners)
             k, angles, areas, flipped = planar_distortion(points, cut, texture, charts)
             u, v, w = (texture[cut[:, i]] for i in range(3))
-            filled = 0.5 * np.abs(np.cross(v - u, w - u)).sum() / (ASPECT.get(further[1]) if further else 1.0)
-            print_row(name, f"{len(triangles):,}", method, f"{charts.max() + 1:,}", rounded(seams(joined, corners) / size), rounded(k),
-                      rounded(angles), rounded(areas), flipped, f"{filled:.2f}", f"{len(points) - len(x):,}",
-                      f"{seconds:.1f}", f"{memory:,.0f}")
+            filled = 0.5 * np.abs(np.linalg.det(np.stack([v - u, w - u], axis=1))).sum()
+            print_row(name, f"{len(triangles):,}", method, f"{charts.max() + 1:,}",
+                      rounded(seams(joined, corners) / size), rounded(k), rounded(angles), rounded(areas), flipped,
+                      f"{filled / aspect:.2f}", f"{len(points) - len(x):,}", f"{seconds:.1f}", f"{memory:,.0f}")

@@ -79,7 +79,7 @@ def print_table(meshes, degrees):
                 if missing([library]):
                     continue
                 found, seconds, memory = measured(library, function, x, triangles, np.array(sphere), degree)
-                error = np.abs(measured(library, function, rebuilt, triangles, np.array(sphere), degree)[0] - known).max()
+                again = measured(library, function, rebuilt, triangles, np.array(sphere), degree)[0]
                 squares = ((sums(found, sphere) - x)**2).sum(axis=1)
                 print_row(name, f"{len(x):,}", degree, method, rounded(np.sqrt(np.average(squares, weights=areas))),
-                          rounded(error), f"{seconds:.1f}", f"{memory:,.0f}")
+                          rounded(np.abs(again - known).max()), f"{seconds:.1f}", f"{memory:,.0f}")

@@ -2,8 +2,8 @@
 
 libigl's maps are those of the mesh without its most equilateral triangle, whose corners have fixed positions in the
 plane. With this boundary, harmonic and least-squares conformal maps (lscm) minimize the same energy. If only two points
-were fixed, lscm would be far from conformal. An inverse stereographic projection takes the plane to the sphere. potpourri3d's logarithmic map preserves distances from one point; it
-is not a conformal map.
+were fixed, lscm would be far from conformal. An inverse stereographic projection takes the plane to the sphere.
+potpourri3d's logarithmic map preserves distances from one point; it is not a conformal map.
 
 Columns of the table: K, mean ratio of the largest to the smallest stretch of a triangle; angles, mean change of an
 angle in degrees; areas, standard deviation of the logarithm of the ratio of areas; flipped, triangles that are flipped

@@ -17,9 +17,9 @@ def planar_distortion(x, triangles, plane, charts=None):
     """Compare triangles, m by 3, between positions x, n by 3, and plane, n by 2.
 
     Returns the mean ratio K of the largest to the smallest stretch, the mean change of angles in degrees, the standard
-    deviation of the logarithm of the area ratio, and the number of triangles that are flipped or have no area. Triangles
-    without area are left out of the first three. Flipped triangles have the orientation that fewer triangles of their chart have. charts
-    has the chart of each triangle, an integer from 0 on; by default there is one chart.
+    deviation of the logarithm of the area ratio, and the number of triangles that are flipped or have no area.
+    Triangles without area are left out of the first three. Flipped triangles have the orientation that fewer triangles
+    of their chart have. charts has the chart of each triangle, an integer from 0 on; by default there is one chart.
     """
     a, b, c = (x[triangles[:, k]] for k in range(3))
     u, v, w = (plane[triangles[:, k]] for k in range(3))

@@ -1,5 +1,6 @@
 """The clouds with errors of scanners, and the measures, that the benchmarks use."""
 import os
+import subprocess
 import sys
 import time
 import unittest
@@ -93,6 +94,19 @@ class TestBenchmarks(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "no result after 1 s"):
             measured("time", time.sleep, 60, limit=1)
 
+    def test_the_comparison_prints_a_row_for_each_method(self):
+        script = os.path.join(sys.path[0], "compare_reconstructions.py")
+        completed = subprocess.run(
+            [sys.executable, script, "--objects", "sphere", "--kinds", "gaussian", "--noise", ".01", "--points", "2000",
+             "--methods", "ConformalSOM"], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]]
+                for line in completed.stdout.splitlines() if line.startswith("| sphere")]
+        self.assertEqual([row[3] for row in rows], ["ConformalSOM, learn", "ConformalSOM, learn and smooth"])
+        for row in rows:
+            self.assertLess(float(row[6]), 0.01)  # closer to the sphere than the points
+            self.assertEqual(row[10:12], ["1", "0"])
+
     def test_numbers_have_three_digits(self):
         self.assertEqual([rounded(value) for value in (0.0, 0.00123456, 0.123456, 1.5, 12.3456, 123.456, 12345.6)],
                          ["0.00", "1.23e-3", "0.123", "1.50", "12.3", "123", "12,346"])
@@ -116,7 +130,7 @@ class TestBenchmarks(unittest.TestCase):
     def test_an_image_of_the_sphere_is_one_chart(self):
         surface = sphere(20)
         x, triangles = points_of(surface), triangles_of(surface)
-        points, cut, texture = chart_methods.sphere_charts(x, triangles, 0.0, "Octahedral")
+        points, cut, texture, _ = chart_methods.sphere_charts(x, triangles, 0.0, "Octahedral")
         joined, corners, _ = chart_methods.welded(points, cut, texture)
         charts = chart_methods.charts_of(joined, corners)
         self.assertEqual(charts.max(), 0)
