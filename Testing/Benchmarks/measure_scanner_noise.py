@@ -63,16 +63,19 @@ class Target:
         self.locator.BuildLocator()
         self.area = area(self.mesh)
 
-    def cloud(self, kind, count, s):
-        """Points, their errors along the normal without outliers."""
+    def scanned(self, kind, count, s):
+        """Points, the exact positions and normals that they were measured at, and a mask without outliers."""
         random = np.random.default_rng(101)
         if kind == "camera":
             points, exact, normals = depth_camera.scanned(self.locator, self.normals, count, s, random)
-            inside = np.ones(len(points), bool)
-        else:
-            exact, ids = spread(self.x, self.triangles, count, random)
-            normals = self.normals[ids]
-            points, inside = scanner_noise.NOISES[kind](exact, normals, s, random)
+            return points, exact, normals, np.ones(len(points), bool)
+        exact, ids = spread(self.x, self.triangles, count, random)
+        points, inside = scanner_noise.NOISES[kind](exact, self.normals[ids], s, random)
+        return points, exact, self.normals[ids], inside
+
+    def cloud(self, kind, count, s):
+        """Points, their errors along the normal without outliers."""
+        points, exact, normals, inside = self.scanned(kind, count, s)
         return points, ((points - exact) * normals).sum(axis=1)[inside]
 
 

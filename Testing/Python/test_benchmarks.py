@@ -1,20 +1,28 @@
 """The clouds with errors of scanners, and the measures, that the benchmarks use."""
 import os
+import subprocess
 import sys
+import time
 import unittest
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
 
+import conformalsom
 from conformalsom import vtkGeodesicSphereSource
 from helpers import depth_camera
 from helpers.clouds import points_of, vtk_points
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks"))
+import chart_methods  # pylint: disable=wrong-import-position
 import compare_smoothing  # pylint: disable=wrong-import-position
+import harmonics_methods  # pylint: disable=wrong-import-position
+import map_methods  # pylint: disable=wrong-import-position
 import scanner_noise  # pylint: disable=wrong-import-position
 from curvature_error import Curvature  # pylint: disable=wrong-import-position
 from known_objects import facet_normals, mismatch, rms, triangles_of  # pylint: disable=wrong-import-position
+from planar_distortion import planar_distortion  # pylint: disable=wrong-import-position
+from separate_process import measured, rounded  # pylint: disable=wrong-import-position
 
 
 def sphere(frequency):
@@ -75,6 +83,72 @@ class TestBenchmarks(unittest.TestCase):
         for method in (compare_smoothing.loop, compare_smoothing.taubin, compare_smoothing.bilateral):
             with self.subTest(method.__name__):
                 self.assertLess(mismatch(method(noisy), truth)[2], 0.8 * before)
+
+    def test_a_process_has_its_own_time_and_memory(self):
+        result, seconds, memory = measured("numpy", np.ones, 2**24)  # 128 MB
+        self.assertEqual(result.sum(), 2**24)
+        self.assertLess(abs(memory - 128.0), 32.0)
+        self.assertLess(seconds, 10.0)
+        with self.assertRaisesRegex(RuntimeError, "ZeroDivisionError"):
+            measured("operator", divmod, 1, 0)
+        with self.assertRaisesRegex(RuntimeError, "no result after 1 s"):
+            measured("time", time.sleep, 60, limit=1)
+
+    def test_the_comparison_prints_a_row_for_each_method(self):
+        script = os.path.join(sys.path[0], "compare_reconstructions.py")
+        completed = subprocess.run(
+            [sys.executable, script, "--objects", "sphere", "--kinds", "gaussian", "--noise", ".01", "--points", "2000",
+             "--methods", "ConformalSOM"], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]]
+                for line in completed.stdout.splitlines() if line.startswith("| sphere")]
+        self.assertEqual([row[3] for row in rows], ["ConformalSOM, learn", "ConformalSOM, learn and smooth"])
+        for row in rows:
+            self.assertLess(float(row[6]), 0.01)  # closer to the sphere than the points
+            self.assertEqual(row[10:12], ["1", "0"])
+
+    def test_numbers_have_three_digits(self):
+        self.assertEqual([rounded(value) for value in (0.0, 0.00123456, 0.123456, 1.5, 12.3456, 123.456, 12345.6)],
+                         ["0.00", "1.23e-3", "0.123", "1.50", "12.3", "123", "12,346"])
+
+    def test_the_distortion_of_a_known_map_to_the_plane_is_exact(self):
+        u, v = (grid.ravel() for grid in np.meshgrid(np.arange(4.0), np.arange(4.0)))
+        corner = np.array([4 * i + j for i in range(3) for j in range(3)])
+        triangles = np.concatenate([np.column_stack([corner, corner + 1, corner + 5]),
+                                    np.column_stack([corner, corner + 5, corner + 4])])
+        turned = np.linalg.qr(np.random.default_rng(4).standard_normal((3, 3)))[0]
+        x = np.column_stack([u, v, 0.0 * u]) @ turned
+        k, angles, areas, flipped = planar_distortion(x, triangles, np.column_stack([-3.0 * u, 1.5 * v]))
+        self.assertAlmostEqual(k, 2.0, 9)
+        self.assertAlmostEqual(areas, 0.0, 9)
+        self.assertAlmostEqual(angles, (np.degrees(np.arctan(2.0)) - 45.0) * 2.0 / 3.0, 6)
+        self.assertEqual(flipped, 0)
+        moved = np.column_stack([u, v])
+        moved[5] += 1.5
+        self.assertEqual(planar_distortion(x, triangles, moved)[3], 2)
+
+    def test_an_image_of_the_sphere_is_one_chart(self):
+        surface = sphere(20)
+        x, triangles = points_of(surface), triangles_of(surface)
+        points, cut, texture, _ = chart_methods.sphere_charts(x, triangles, 0.0, "Octahedral")
+        joined, corners, _ = chart_methods.welded(points, cut, texture)
+        charts = chart_methods.charts_of(joined, corners)
+        self.assertEqual(charts.max(), 0)
+        self.assertEqual(planar_distortion(points, cut, texture, charts)[3], 0)
+        self.assertLess(abs(chart_methods.seams(joined, corners) - 2.0 * np.pi), 0.2)  # four quarters of great circles
+
+    def test_sums_of_harmonics_are_those_of_the_filter(self):
+        mapped = conformalsom.Surface(sphere(20))
+        x = mapped.points * (1.0, 0.7, 0.5) + 0.1 * np.cos(3.0 * mapped.points[:, [1, 2, 0]])
+        coefficients, rebuilt = conformalsom.Surface(
+            map_methods.mapped(x, mapped.faces, mapped.sphere)).harmonics(9)
+        self.assertLess(np.abs(harmonics_methods.sums(coefficients, mapped.sphere) - rebuilt.points).max(), 1e-12)
+
+    def test_a_stereographic_projection_keeps_a_conformal_map(self):
+        plane = np.random.default_rng(5).standard_normal((1000, 2))
+        found = map_methods.stereographic(plane)
+        self.assertLess(np.abs(np.linalg.norm(found, axis=1) - 1.0).max(), 1e-12)
+        self.assertEqual((found[:, 2] > 0.0).sum(), 500)
 
 
 if __name__ == "__main__":
