@@ -81,11 +81,12 @@ make_wheel()
   tar --extract --file "$folder"/dist/*.tar.gz --directory "$folder/source" --strip-components 1 || return
   local options=()
   if [ -z "$all" ]; then
-    options=(-C cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -C cmake.define.CONFORMALSOM_CLASSES="$(classes)")
+    options=(--config-settings=cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
+      --config-settings=cmake.define.CONFORMALSOM_CLASSES="$(classes)")
   fi
   CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) \
     "$tools" -m pip wheel "$folder/source" --no-build-isolation --no-deps --wheel-dir "$folder/dist" -v \
-    -C build-dir="$folder/made" "${options[@]}"
+    --config-settings=build-dir="$folder/made" "${options[@]}"
 }
 logged "$folder/build.log" "Building the wheel in build/wheel" make_wheel
 
