@@ -36,8 +36,8 @@ std::string identityOf(const fs::path& realPath)
   return realPath.u8string();
 }
 
-// By the number: two categories of errors are in a process if another library, such as that of VTK's
-// wheel, has its own copy of parts of libstdc++. Then, no error equals one of std::errc.
+// By the number: two categories of errors are in a process if another library, such as that of
+// VTK's wheel, has its own copy of parts of libstdc++. Then, no error equals one of std::errc.
 ParseStatus statusOf(const std::error_code& error)
 {
   return error == std::errc::no_such_file_or_directory || error.value() == ENOENT
