@@ -63,7 +63,7 @@ if (NOT CONFORMALSOM_THREE_JS)
   if (NOT code EQUAL 0)
     list(GET status 1 reason)
     message(FATAL_ERROR "three.js could not be downloaded (${reason}). "
-      "Name a file of it: pip install . -C cmake.define.CONFORMALSOM_THREE_JS=FILE")
+      "Name a file of it: pip install . --config-settings=cmake.define.CONFORMALSOM_THREE_JS=FILE")
   endif ()
   file(ARCHIVE_EXTRACT INPUT "${archive}" DESTINATION "${PROJECT_BINARY_DIR}/three"
     PATTERNS package/build/three.min.js package/LICENSE)

@@ -63,6 +63,11 @@ def mapped_bear():
     return with_array(surface, "Marks", marks)
 
 
+def executable(path, flags):
+    """Open a file that may be run."""
+    return os.open(path, flags, 0o755)
+
+
 class TestGuides(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -124,7 +129,9 @@ class TestGuides(unittest.TestCase):
         for heading, text in sections("Tutorials.md").items():
             with self.subTest(heading), tempfile.TemporaryDirectory() as folder:
                 os.symlink(os.path.join(ROOT, "Examples"), os.path.join(folder, "Examples"))
-                os.symlink(sys.executable, os.path.join(folder, "python3"))  # the one with VTK
+                # Of the Python with VTK. A link would lead out of a virtual environment.
+                with open(os.path.join(folder, "python3"), "w", encoding="utf-8", opener=executable) as file:
+                    file.write(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
                 path = os.pathsep.join((folder, os.path.dirname(os.environ["CONFORMALSOM_COMMAND"]), os.environ["PATH"]))
                 for language, code in blocks_of(text, "python|sh"):
                     program = [sys.executable] if language == "python" else ["bash", "-euo", "pipefail"]

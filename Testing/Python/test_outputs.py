@@ -11,9 +11,18 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 import output_cases
 import record_outputs
 
-# Of each class the smallest run, on 1 and on 4 threads.
+# Of each class the smallest run, on 1 thread and on more.
 SMALLEST = {name: "small" if "small" in case.set_up else "default"
             for name, case in output_cases.CASES.items()}
+
+
+def most_threads():
+    """4, or as many as the backends of this VTK have on a machine with fewer cores."""
+    for threads in (4, 3, 2):
+        with contextlib.suppress(SystemExit):
+            record_outputs.set_threads(threads)
+            return threads
+    raise unittest.SkipTest("VTK runs on one thread only")
 
 
 def rows_on(threads):
@@ -37,11 +46,11 @@ class TestOutputs(unittest.TestCase):
         self.assertGreater(len(output_cases.concrete_classes()), 40)
         self.assertEqual(set(output_cases.CASES), set(output_cases.concrete_classes()))
 
-    def test_every_class_has_the_same_rows_on_1_and_4_threads(self):
+    def test_every_class_has_the_same_rows_on_1_and_more_threads(self):
         alone, failures = rows_on(1)
         self.assertEqual(failures, [])
         self.assertEqual({name.split("/")[0] for name in alone}, set(output_cases.CASES))
-        self.assertEqual(rows_on(4), (alone, []))
+        self.assertEqual(rows_on(most_threads()), (alone, []))
 
     def test_a_class_without_a_case_is_a_failure(self):
         case = output_cases.CASES.pop("vtkPlateModelReader")

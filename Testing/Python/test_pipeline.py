@@ -399,7 +399,9 @@ class TestPipeline(unittest.TestCase):
         for backend in ("Sequential", "STDThread", "TBB"):
             for threads in (1, 2):
                 with self.subTest(f"{backend}, {threads} threads"):
-                    self.assertTrue(vtkSMPTools.SetBackend(backend))
+                    if not vtkSMPTools.SetBackend(backend):
+                        self.assertEqual(backend, "TBB")
+                        self.skipTest("This VTK has no TBB, such as that of the wheel")
                     vtkSMPTools.Initialize(threads)
                     again = chain()
                     for name, bytes_ in expected.items():

@@ -7,7 +7,7 @@
 # each step. A picture needs the system's OpenGL, which is installed for the last step only.
 #
 #   --wheels DIR   with a wheel for the Python of each suite; default build/wheel/dist
-#   --folder DIR   for the systems, 1 GB each, and their logs; default build/wheel/systems
+#   --folder DIR   for the systems, 2 GB each, kept as they are made, and their logs; default build/wheel/systems
 #   --mirror URL   of Debian; default: that of this machine
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -46,35 +46,42 @@ steps='
 set -e
 timed()
 {
-  local title=$1 start=$(date +%s%N)
-  shift
-  "$@" >"$HOME/log" 2>&1 || { cat "$HOME/log"; echo "Failed: $title"; exit 1; }
-  echo "$title: $(( ($(date +%s%N) - start) / 10000000 ))e-2 s"
+  local start=$(date +%s%N) hundredths
+  "$@" >"$HOME/log" 2>&1 || { cat "$HOME/log"; echo "Failed: $*"; exit 1; }
+  hundredths=$((($(date +%s%N) - start) / 10000000))
+  printf "%s\n    %d.%02d s\n" "$*" $((hundredths / 100)) $((hundredths % 100))
 }
-cat /etc/debian_version
-python3 --version
-timed "virtual environment" python3 -m venv venv
-timed "pip install of the wheel" venv/bin/pip install wheels/*"$(python3 -c "import sys; print(\"cp%d%d\" % sys.version_info[:2])")"*.whl
+echo "Debian $(cat /etc/debian_version), $(python3 --version)"
+wheel=$(ls wheels/*"$(python3 -c "import sys; print(\"cp%d%d\" % sys.version_info[:2])")"*.whl)
+timed python3 -m venv venv
+timed venv/bin/python -m pip install "$wheel"
 du -sm venv | sed "s/\t.*/ MB: the virtual environment/"
 du -sm venv/lib/python3*/site-packages/conformalsom | sed "s/\t.*/ MB of it: conformalsom/"
-timed "import vtk" venv/bin/python -c "import vtkmodules.vtkCommonCore"
-timed "import conformalsom" venv/bin/python -c "import conformalsom"
-timed "a scan of 10,000 points" venv/bin/python make_scan.py
-timed "from the scan to surface.glb, surface.html and texture" venv/bin/conformalsom scan.ply -o surface.glb -o surface.html --report figures.json
-ls -l --block-size=K surface.glb surface.html | awk "{print \$9, \$5}"
+timed venv/bin/python -c "import vtkmodules.vtkCommonCore, numpy"
+timed venv/bin/python -c "import conformalsom"
+timed venv/bin/python -c "import conformalsom"
+timed venv/bin/python make_scan.py
+timed venv/bin/conformalsom scan.ply -o surface.glb -o surface.html --report figures.json
+timed venv/bin/python -c "import conformalsom as cs; cs.learn(\"scan.ply\").smooth(64_000).save(\"again.glb\")"
+ls -l --block-size=K surface.glb surface.html again.glb | awk "{print \$9, \$5}"
 '
 picture='
 set -e
-venv/bin/conformalsom scan.ply -o again.glb --picture picture.png
+venv/bin/conformalsom scan.ply -o third.glb --picture picture.png
 ls -l --block-size=K picture.png | awk "{print \$9, \$5}"
 '
 
 mkdir -p "$folder"
 failed=()
 for suite in "$@"; do
-  root=$folder/$suite
+  root=$folder/$suite base=$folder/$suite.base
+  if [ ! -e "$base.complete" ]; then
+    rm -rf --one-file-system "$base"
+    debootstrap --variant=minbase --include=ca-certificates,python3-venv "$suite" "$base" "$mirror" sid >"$base.log" 2>&1
+    touch "$base.complete"
+  fi
   rm -rf --one-file-system "$root"
-  debootstrap --variant=minbase --include=ca-certificates,python3-venv "$suite" "$root" "$mirror" sid >"$root.log" 2>&1
+  cp --archive --reflink=auto "$base" "$root"
   cp /etc/resolv.conf /etc/hosts "$root/etc"
   apt-config dump Acquire >"$root/etc/apt/apt.conf.d/01host"
   if [ -n "${PIP_CERT:-}" ]; then # a machine whose network has certificates of its own

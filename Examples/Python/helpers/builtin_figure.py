@@ -25,12 +25,17 @@ def ellipsoid(center, radii):
     return distance
 
 
+def dot(vectors, vector):
+    """Dot products, added in a stated order: those of @ depend on the linear algebra behind NumPy."""
+    return vectors[..., 0] * vector[0] + vectors[..., 1] * vector[1] + vectors[..., 2] * vector[2]
+
+
 def limb(start, end, start_radius, end_radius):
     """Signed distance to a capsule whose radius changes evenly from start to end."""
     start, axis = np.asarray(start), np.subtract(end, start)
 
     def distance(p):
-        t = np.clip((p - start) @ axis / (axis @ axis), 0.0, 1.0)
+        t = np.clip(dot(p - start, axis) / dot(axis, axis), 0.0, 1.0)
         radius = start_radius + (end_radius - start_radius) * t
         return np.linalg.norm(p - start - t[:, None] * axis, axis=1) - radius
     return distance

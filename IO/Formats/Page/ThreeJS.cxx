@@ -12,6 +12,24 @@ namespace
 {
 constexpr std::uintmax_t MaximumBuildSize = 32
   << 20; // a larger file is not a library and is not read
+
+// Return whether a script defines the renderer as a property of its exports, whatever these are
+// called: minified scripts have "t.WebGLRenderer=". ECMAScript modules contain an export statement
+// instead, which a script of a page may not contain.
+bool exportsRenderer(const std::string& text)
+{
+  const std::string property = ".WebGLRenderer";
+  for (std::size_t at = text.find(property); at != std::string::npos;
+       at = text.find(property, at + 1))
+  {
+    const std::size_t next = text.find_first_not_of(' ', at + property.size());
+    if (next != std::string::npos && text[next] == '=' && text.compare(next, 2, "==") != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -43,7 +61,8 @@ std::string readThreeJS(const std::string& fileName)
   const auto fail = [&](const std::string& what)
   {
     throw std::invalid_argument("three.js is needed to write a page, and " + name + " " + what +
-      ": install Debian's package libjs-three, or set ThreeJSFileName to a three.min.js");
+      ": install Debian's package libjs-three, or set ThreeJSFileName to a three.min.js, which "
+      "npm's package three has up to version 0.160");
   };
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
@@ -61,8 +80,7 @@ std::string readThreeJS(const std::string& fileName)
   {
     fail("cannot be read");
   }
-  // An ECMAScript module contains an export statement, which a script of a page may not contain.
-  if (text.find("exports.WebGLRenderer") == std::string::npos)
+  if (!exportsRenderer(text))
   {
     fail("is not a classic script or CommonJS module of it");
   }

@@ -1,6 +1,7 @@
 #include "StanfordScans/ScanFolder.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 
@@ -35,9 +36,11 @@ std::string identityOf(const fs::path& realPath)
   return realPath.u8string();
 }
 
+// By the number: two categories of errors are in a process if another library, such as that of
+// VTK's wheel, has its own copy of parts of libstdc++. Then, no error equals one of std::errc.
 ParseStatus statusOf(const std::error_code& error)
 {
-  return error == std::errc::no_such_file_or_directory
+  return error == std::errc::no_such_file_or_directory || error.value() == ENOENT
     ? ParseStatus{ ParseCode::FileNotFound, 0, 0, "there is no such file" }
     : ParseStatus{ ParseCode::CannotOpen, 0, 0, "cannot be opened: " + error.message() };
 }

@@ -31,6 +31,13 @@ TEST(ThreeJS, IsReadWhole)
   EXPECT_EQ(conformal::readThreeJS(folder.write("three.js", text)), text);
 }
 
+TEST(ThreeJS, MayBeMinified)
+{
+  const TemporaryFolder folder;
+  const std::string text = "!function(t,e){e(t)}(this,(function(t){t.WebGLRenderer=Js}));";
+  EXPECT_EQ(conformal::readThreeJS(folder.write("three.min.js", text)), text);
+}
+
 TEST(ThreeJS, OtherFilesAreRefusedWithWhatToInstall)
 {
   const TemporaryFolder folder;
@@ -43,6 +50,8 @@ TEST(ThreeJS, OtherFilesAreRefusedWithWhatToInstall)
   expectRefused(folder.write("empty.js", ""), "is not a classic script");
   expectRefused(
     folder.write("three.module.js", "export { WebGLRenderer };"), "is not a classic script");
+  expectRefused(folder.write("three.core.js", "if (this.WebGLRenderer == x.WebGLRenderer) {}"),
+    "is not a classic script");
   const std::string large = folder.write("large.js", "");
   std::filesystem::resize_file(std::filesystem::u8path(large), (32 << 20) + 1);
   expectRefused(large, "is too large");
