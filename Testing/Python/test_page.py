@@ -45,6 +45,7 @@ def ellipsoid(frequency):
     add(surface, "Patchy", np.where(directions[:, 0] > 0.0, np.nan, directions[:, 0]))
     add(surface, "Side", np.sign(directions[:, 0]) * 1000, np.int32)
     add(surface, "Wind", directions[:, :2] * 3.0)
+    add(surface, "Spiky", np.where(directions[:, 1] > 0.995, 100.0, directions[:, 1]))
     add(surface, "Colors", np.where(directions[:, :1] > 0.0, (250, 20, 20), (20, 20, 250)), np.uint8)
     add(surface, HOSTILE, directions[:, 2])
     return surface
@@ -157,8 +158,8 @@ class TestPage(unittest.TestCase):
         self.assertEqual(self.value("document.querySelector('h1').textContent"), "My <b>page &amp; more")
         self.assertEqual(self.value("document.getElementById('message').textContent"), "")
         self.assertEqual(self.value("[...document.getElementById('color').options].map((o) => o.text)"),
-                         ["Texture", "Height", "Patchy", "Side", "Wind (length)", "Colors", HOSTILE,
-                          "OriginalPointIds", "OutsideImage"])
+                         ["Texture", "Colors", "Height", "Patchy", "Spiky", HOSTILE, "Wind (length)", "Side",
+                          "OutsideImage", "OriginalPointIds"])
         self.assertIsNone(self.value("window.hacked"))
         for tag in ("input", "select", "button"):
             self.assertEqual(self.value(
@@ -210,12 +211,13 @@ class TestPage(unittest.TestCase):
     def test_mouse_turns_both_or_one_and_picks(self):
         start = self.middle("surface")
         before = self.pick("surface", *(np.array(self.box("surface")[2:]) / 2))
+        height = next(value["value"] for value in before["values"] if value["name"] == "Height")
         self.browser.click(*start)
         rows = self.rows()
         self.assertEqual(rows["Longitude"], f"{before['longitude']:.2f}\u00b0")
         self.assertEqual(rows["Latitude"], f"{before['latitude']:.2f}\u00b0")
         self.assertLess(abs(float(rows["x"]) - before["position"][0]), 1e-4)
-        self.assertLess(abs(float(rows["Height"]) - before["values"][0]["value"]), 1e-4)
+        self.assertLess(abs(float(rows["Height"]) - height), 1e-4)
         self.assertIn(rows["Side"], ("1000", "-1000", "0"))
         self.assertIn(HOSTILE, rows)
         self.assertLess(self.value("document.querySelector('#picked dd').clientHeight"), 30)  # one line
@@ -262,6 +264,8 @@ class TestPage(unittest.TestCase):
         self.assertLess(sphere[1] + sphere[3], 844)
         self.assertGreaterEqual(self.value(
             "parseFloat(getComputedStyle(document.getElementById('color')).fontSize)"), 16)
+        slider, reset = self.box("morph"), self.box("reset")
+        self.assertLessEqual(max(slider[1] + slider[3], reset[1] + reset[3]), 844)  # without scrolling
         x, y = self.middle("sphere")
         self.browser.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
         self.browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
@@ -269,6 +273,72 @@ class TestPage(unittest.TestCase):
         pixels = self.shot("Phone")
         self.assertLess(pixels[3, 3].max(), 60)  # dark around
         self.assertGreater(self.view(pixels, "surface").max(), 150)
+
+    def test_swipes_scroll_a_phone_or_turn(self):
+        self.browser.resize(390, 844, is_phone=True)
+        self.browser.call("Emulation.setTouchEmulationEnabled", enabled=True)
+        x, y = self.middle("surface")
+
+        def swipe(across, up):
+            steps = [{"x": x + across * i / 10, "y": y - up * i / 10} for i in range(11)]
+            for kind, points in [("touchStart", steps[:1])] + [("touchMove", [step]) for step in steps[1:]]:
+                self.browser.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+            self.browser.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+            self.browser.drawn()
+
+        before = self.shot("Swipe0")
+        swipe(0, 150)
+        self.assertGreater(self.value("window.scrollY"), 50)
+        for _ in range(100):  # scrolling goes on after the swipe
+            self.value("window.scrollTo(0, 0)")
+            self.browser.drawn()
+        self.assertLess(np.abs(self.shot("Swipe1") - before).max(), 2)  # nothing has turned
+        swipe(100, 0)
+        self.assertEqual(self.value("window.scrollY"), 0)
+        self.assertGreater(np.abs(self.view(self.shot("Swipe2"), "surface") - self.view(before, "surface")).max(), 30)
+        self.browser.call("Emulation.setTouchEmulationEnabled", enabled=False)
+
+    def test_turntable_turns_until_it_is_stopped(self):
+        before = self.pick("surface", 150, 300)["longitude"]
+        self.value("document.getElementById('turntable').click()")
+        for _ in range(5):
+            self.browser.drawn()
+        self.assertEqual(self.value("document.getElementById('turntable').getAttribute('aria-pressed')"), "true")
+        self.value("document.getElementById('turntable').click()")
+        self.browser.drawn()
+        after = self.pick("surface", 150, 300)["longitude"]
+        self.assertNotEqual(after, before)
+        self.browser.drawn()
+        self.assertEqual(self.pick("surface", 150, 300)["longitude"], after)
+
+    def test_saves_what_it_shows(self):
+        shown = self.value("page.picture().then((file) => createImageBitmap(file)).then((image) => {"
+                           " const canvas = document.createElement('canvas');"
+                           " [canvas.width, canvas.height] = [image.width, image.height];"
+                           " const context = canvas.getContext('2d'); context.drawImage(image, 0, 0);"
+                           " return [...context.getImageData(0, 0, image.width, image.height).data]; })")
+        left, top, width, height = np.rint(self.box("views")).astype(int)
+        saved = np.array(shown).reshape(height, width, 4)
+        pixels = self.shot("Saved")[top:top + height, left:left + width]
+        frame = np.array(self.middle("surface") - (left, top)).astype(int)
+        inner = np.s_[frame[1] - 60:frame[1] + 60, frame[0] - 60:frame[0] + 60]
+        self.assertLess(np.abs(saved[inner][..., :3] - pixels[inner]).max(), 3)
+        self.assertEqual(saved[..., 3].min(), 255)
+
+    def test_colors_do_not_follow_a_few_outliers(self):
+        ends = "['low', 'high'].map((id) => document.getElementById(id).textContent)"
+        self.choose("Height")
+        self.assertTrue(self.value("document.getElementById('clipping').hidden"))
+        self.choose("Spiky")
+        self.assertFalse(self.value("document.getElementById('clipping').hidden"))
+        low, high = self.value(ends)
+        self.assertTrue(low.startswith("\u2264 -0.9") and high.startswith("\u2265 0.9"), (low, high))
+        x, y = self.middle("sphere").astype(int)
+        pixels = self.shot("Spiky")
+        self.assertGreater(np.ptp([pixels[y + dy, x].max() for dy in (-100, 0, 100)]), 40)
+        self.value("document.getElementById('whole').click()")
+        self.assertEqual(self.value(ends)[1], "100")
+        self.value("document.getElementById('whole').click()")
 
     def test_two_fingers_zoom_and_pick_nothing(self):
         x, y = self.middle("surface")

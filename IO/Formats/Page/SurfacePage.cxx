@@ -235,7 +235,28 @@ private:
   std::vector<std::size_t> Order; // point of the surface for each point of the page
 };
 
-// Return the arrays that the page can show as color.
+// Return the place of an array in the list of a page: colors, numbers, vectors, integers, ids.
+int placeInList(const NamedArray& array)
+{
+  const std::string& name = array.Name;
+  const auto endsWith = [&](const std::string& end)
+  {
+    return name.size() >= end.size() &&
+      name.compare(name.size() - end.size(), end.size(), end) == 0;
+  };
+  const bool isScalar = array.Components == 1;
+  if (isByte(array.Type) && !isScalar)
+  {
+    return 0;
+  }
+  if (isFloating(array.Type))
+  {
+    return isScalar ? 1 : 2;
+  }
+  return isScalar && !endsWith("Id") && !endsWith("Ids") ? 3 : 4;
+}
+
+// Return the arrays that the page can show as color. People need ids least; these are last.
 std::vector<const NamedArray*> shownArrays(const SurfaceData& surface)
 {
   const char* const others[] = { "SpherePosition", "Normals", "TCoords", "vtkGhostType" };
@@ -249,6 +270,8 @@ std::vector<const NamedArray*> shownArrays(const SurfaceData& surface)
       arrays.push_back(&array);
     }
   }
+  std::stable_sort(arrays.begin(), arrays.end(),
+    [](const NamedArray* a, const NamedArray* b) { return placeInList(*a) < placeInList(*b); });
   return arrays;
 }
 

@@ -238,12 +238,13 @@ TEST(SurfacePage, EverythingComesBackWithinItsSteps)
   const auto corners = reader.read(3 * triangles, 4);
   const auto s = reader.read(count, 2);
   const auto t = reader.read(count, 2);
-  const auto id = reader.read(count, 2);
-  const auto height = reader.read(count, 2);
-  const auto wind = reader.read(count, 2);
+  // Colors are first, ids last.
   const auto red = reader.read(count, 1);
   reader.read(count, 1);
   const auto blue = reader.read(count, 1);
+  const auto height = reader.read(count, 2);
+  const auto wind = reader.read(count, 2);
+  const auto id = reader.read(count, 2);
   EXPECT_TRUE(reader.isAtEnd());
 
   const std::string heightJSON = between(json, "\"name\":\"Height\"", "}");
@@ -419,7 +420,8 @@ TEST(SurfacePage, ShowsFirstWhatIsAskedForOrThePictureOrColors)
               .find("\"name\":\"A\",\"kind\":\"numbers\",\"components\":1,\"range\":[1,1]"),
     std::string::npos);
   data.PointArrays.push_back(randomArray<unsigned char>("RGBA", ScalarType::UInt8, 4, count, 1));
-  EXPECT_EQ(first(""), 2);
+  EXPECT_EQ(first(""), 0); // colors are first in the list
+  EXPECT_EQ(first("", "A"), 1);
   conformal::SurfacePageOptions options;
   for (const char* name : { "Nothing", "SpherePosition", "Normals" })
   {

@@ -13,13 +13,26 @@ function paletteBytes() {
   return bytes;
 }
 
-// For each point its color, or the fraction of the range and whether there is a value.
-function tintsOf(array) {
+// The codes that the ends of the palette stand for. If the smallest and the largest hundredth of the
+// values take more than a third of their range, these are left to the ends of the palette.
+function paletteEnds(array, isWhole) {
+  const ends = [0, Math.max(array.steps, 1)];
+  if (array.whole || isWhole) {
+    return ends;
+  }
+  const codes = array.codes.filter((code) => code <= array.steps).sort();
+  const [low, high] = [0.01, 0.99].map((part) => codes[Math.round(part * (codes.length - 1))]);
+  return high > low && 1.5 * (high - low) < array.steps ? [low, high] : ends;
+}
+
+// For each point its color, or the fraction of the palette and whether there is a value.
+function tintsOf(array, [low, high]) {
+  const fraction = (code) => Math.min(Math.max((code - low) / (high - low), 0), 1);
   const tints = new Float32Array(3 * description.points);
   for (let i = 0; i < description.points; ++i) {
     const isMissing = array.kind === "numbers" && array.codes[i] > array.steps;
     tints.set(array.kind === "colors" ? array.codes.map((codes) => codes[i] / 255)
-      : isMissing ? [0, 0, 0] : [array.codes[i] / Math.max(array.steps, 1), 1, 0], 3 * i);
+      : isMissing ? [0, 0, 0] : [fraction(array.codes[i]), 1, 0], 3 * i);
   }
   return tints;
 }

@@ -2,7 +2,8 @@
 // the elements "description", "data", "picture" and "three".
 //
 // For scripts: window.page.ready is a promise of the page being drawn; window.page.pick(view, x, y)
-// picks the point under a pixel of "surface" or "sphere" and returns what is known of it, or null.
+// picks the point under a pixel of "surface" or "sphere" and returns what is known of it, or null;
+// window.page.picture() is a promise of a PNG file of both views, as a Blob.
 
 function makeRenderer() {
   const canvas = element("canvas");
@@ -74,12 +75,14 @@ async function start() {
   views.sphere = new View("sphere", geometry, uniforms, 1);
   Object.values(views).forEach(turnable);
   fillChoices();
-  element("color").addEventListener("change", () => showColor(geometry, uniforms));
+  ["color", "whole"].forEach((id) => element(id).addEventListener("change", () => showColor(geometry, uniforms)));
+  addTools();
   element("morph").addEventListener("input", () => {
     views.surface.morph.value = Number(element("morph").value);
     redraw();
   });
   element("reset").addEventListener("click", () => {
+    setTurntable(false);
     Object.values(views).forEach((view) => view.reset());
     element("morph").value = views.surface.morph.value = 0;
     redraw();
@@ -87,6 +90,7 @@ async function start() {
   renderer = makeRenderer();
   showColor(geometry, uniforms);
   window.page.pick = pick;
+  window.page.picture = pictureOfViews;
   element("message").textContent = "";
 }
 

@@ -33,6 +33,15 @@ class View {
     this.distance = 4.3;
   }
 
+  remember() {
+    this.remembered = [this.mesh.quaternion.clone(), this.distance];
+  }
+
+  restore() {
+    this.mesh.quaternion.copy(this.remembered[0]);
+    this.distance = this.remembered[1];
+  }
+
   turn(x, y) {
     const step = new THREE.Quaternion().setFromEuler(new THREE.Euler(y, x, 0));
     this.mesh.quaternion.premultiply(step).normalize();
