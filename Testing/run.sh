@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# run.sh: install what is missing, build with tests, run every test. Enough on a fresh Debian. The wheel
-# is tested by check.sh wheel, since it is compiled for another VTK.
+# run.sh: install what is missing, build with tests, run every test. Enough on a fresh Debian. Of the wheel,
+# which is compiled once more for another VTK, only what the command uses is built and tested, and only where
+# PyPI can be reached; check.sh wheel tests all of it.
 #
-# Quiet until the summaries, one of VTK and one of ParaView; what failed is shown in full. Arguments
+# Quiet until the summaries, of VTK, of ParaView and of the wheel; what failed is shown in full. Arguments
 # go to ctest.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -22,4 +23,5 @@ if bash CMake/install-packages.sh paraview paraview-dev libqt5svg5; then
 else
   echo "The tests of the plugin are skipped: ParaView is not installed and could not be"
 fi
+bash Testing/Wheel/run.sh || failed=$?
 exit "$failed"
