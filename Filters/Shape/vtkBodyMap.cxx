@@ -10,6 +10,7 @@
 #include "Sphere/SphereCoverage.h"
 #include "Texture/BodyCoordinates.h"
 #include "Texture/BodyRelief.h"
+#include "Texture/Planetocentric.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -51,6 +52,30 @@ void AddAngles(vtkPointData* data, const conformal::Points& map)
   }
   glue::AddNumbers(data, "Longitude", longitudes);
   glue::AddNumbers(data, "Latitude", latitudes);
+}
+
+// Add planetocentric coordinates, and the frame that vtkBodyMapImage needs to draw them.
+void AddPlanetocentric(vtkPolyData* output, const conformal::Points& points,
+  const conformal::BodyCoordinatesOptions& options, const conformal::CoordinateFrame& frame)
+{
+  const conformal::PlanetocentricFrame axes = conformal::planetocentricFrame(options);
+  const conformal::Points values =
+    conformal::planetocentricCoordinates(points, axes).LongitudeLatitudeRadius;
+  const auto column = [&](int k)
+  {
+    std::vector<double> result(values.rows());
+    Eigen::VectorXd::Map(result.data(), values.rows()) = values.col(k);
+    return result;
+  };
+  glue::AddNumbers(output->GetPointData(), "PlanetocentricLongitude", column(0));
+  glue::AddNumbers(output->GetPointData(), "PlanetocentricLatitude", column(1));
+  glue::AddLengths(output->GetPointData(), "Radius", column(2), frame);
+  AddPoint(output->GetFieldData(), "BodyCenter", axes.Center, frame);
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("BodyAxes");
+  directions->SetNumberOfComponents(9);
+  directions->InsertNextTuple(axes.Axes.data()); // column by column: each column is a direction
+  output->GetFieldData()->AddArray(directions);
 }
 
 void AddRelief(vtkPolyData* output, const conformal::Mesh& body, bool isEllipsoid,
@@ -263,6 +288,7 @@ int vtkBodyMap::RequestData(
       AddAngles(result->GetPointData(), coordinates.SpherePositions);
       AddRelief(result, body, isEllipsoid, frame);
       AddPoles(result, coordinates, frame);
+      AddPlanetocentric(result, body.Positions, options, frame);
       const std::vector<conformal::GraticuleLine> lines =
         conformal::makeGraticule(body, spacing, steps.next());
       SetPlaces(placed, places, body, frame, steps.next());

@@ -26,6 +26,12 @@
  * - "Slope": angle between the normals of the surface and of the reference, in degrees, in [0,
  *   180].
  *
+ * - "PlanetocentricLongitude": longitude of the direction from Center to the point, increasing to
+ *   the east, in degrees, in [0, 360). Longitude 0 is towards the marker, see UseMarkerPoint.
+ * - "PlanetocentricLatitude": angle between this direction and the equator, in degrees, in [-90,
+ *   90].
+ * - "Radius": distance of the point from Center.
+ *
  * Output port 1: vtkPolyData, meridians and parallels on the body as polylines, with cell arrays
  * - "IsMeridian" (vtkIdType): 1 for a meridian, 0 for a parallel.
  * - "Degrees" (double): longitude of the meridian, or latitude of the parallel.
@@ -36,6 +42,8 @@
  * Field data of port 0 (double): "BodyNorthPole", "BodySouthPole" and "BodyMarker" (3 components)
  * are the positions of the poles and of the marker on the body. "ReferenceCenter", "ReferenceRadii"
  * (3 components) and "ReferenceAxes" (9 components, axis by axis) describe the reference.
+ * "BodyCenter" (3 components) and "BodyAxes" (9 components: the directions of longitude 0, of
+ * longitude 90 degrees and of north) describe the planetocentric coordinates.
  *
  * The rotation axis passes through Center. The poles are intersections of the rotation axis with
  * the surface. On each side of Center, the intersection farthest from Center is the pole. East is
@@ -48,7 +56,8 @@
  * The coordinates are neither planetocentric nor planetographic. Latitude is not an angle at the
  * center or at the axis, and longitude is not an angle of rotation. The length of a degree differs
  * from place to place. The coordinates depend on the mesh and on the chosen map. Do not combine
- * these coordinates with coordinates of a catalog. See Documentation/Filters.md.
+ * these coordinates with coordinates of a catalog. For catalogs, use the planetocentric arrays. See
+ * Documentation/Filters.md.
  *
  * This method is an own construction of the project. The coordinates are not part of the paper
  * (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal self-organizing map on curved seamless surface",

@@ -7,8 +7,10 @@
 #include "Glue/Run.h"
 #include "Glue/SphereImages.h"
 #include "Texture/MapImage.h"
+#include "Texture/Planetocentric.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -81,6 +83,51 @@ void AddMapMarks(
   }
 }
 
+// Return the field array of a surface with this many numbers, all of them finite, or null.
+vtkDataArray* FieldNumbers(vtkPolyData* surface, const char* name, int count)
+{
+  vtkDataArray* array = surface->GetFieldData()->GetArray(name);
+  if (array && array->GetNumberOfValues() != count)
+  {
+    throw std::invalid_argument(
+      std::string("the field array ") + name + " must have " + std::to_string(count) + " numbers");
+  }
+  for (int i = 0; array && i < count; ++i)
+  {
+    if (!std::isfinite(array->GetVariantValue(i).ToDouble()))
+    {
+      throw std::invalid_argument(std::string("the field array ") + name + " must be finite");
+    }
+  }
+  return array;
+}
+
+conformal::PlanetocentricFrame PlanetocentricFrameOf(
+  vtkPolyData* surface, const conformal::CoordinateFrame& frame)
+{
+  conformal::PlanetocentricFrame result;
+  conformal::Vector3 center = conformal::Vector3::Zero();
+  if (vtkDataArray* array = FieldNumbers(surface, "BodyCenter", 3))
+  {
+    center = { array->GetVariantValue(0).ToDouble(), array->GetVariantValue(1).ToDouble(),
+      array->GetVariantValue(2).ToDouble() };
+  }
+  result.Center = frame.toFrameFromAfar(center);
+  if (vtkDataArray* array = FieldNumbers(surface, "BodyAxes", 9))
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      result.Axes.data()[i] = array->GetVariantValue(i).ToDouble();
+    }
+    if (!(result.Axes.transpose() * result.Axes).isIdentity(1e-6))
+    {
+      throw std::invalid_argument(
+        "the field array BodyAxes must have three perpendicular unit vectors");
+    }
+  }
+  return result;
+}
+
 void RequireFinite(const conformal::MapImage& map, double spacing)
 {
   if (!std::isfinite(map.CentralLongitude) || !std::isfinite(spacing))
@@ -140,6 +187,7 @@ int vtkBodyMapImage::RequestData(
   map.CentralLongitude = this->CentralLongitude;
   const double spacing = this->GraticuleSpacing >= 1.0 ? this->GraticuleSpacing : 0.0;
   const bool withPositions = this->GeneratePositions;
+  const bool isPlanetocentric = this->Coordinates == PLANETOCENTRIC;
   return glue::RunCore(this,
     [&]()
     {
@@ -161,9 +209,17 @@ int vtkBodyMapImage::RequestData(
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh body = glue::CopyMapped(surface, frame);
       conformal::Points positions(withPositions ? map.Grid.size() : 0, 3);
-      conformal::paintMap(body, map,
-        PositionPainter(glue::PixelPainter(values, pixels, holes), body.Positions, positions),
-        steps.next());
+      const conformal::PixelSink painter =
+        PositionPainter(glue::PixelPainter(values, pixels, holes), body.Positions, positions);
+      if (isPlanetocentric)
+      {
+        conformal::paintPlanetocentricMap(
+          body, PlanetocentricFrameOf(surface, frame), map, painter, steps.next());
+      }
+      else
+      {
+        conformal::paintMap(body, map, painter, steps.next());
+      }
       result->GetPointData()->AddArray(holes);
       AddMapMarks(result, map, spacing, steps.next());
       AddPositions(result, positions, frame);
@@ -179,6 +235,7 @@ void vtkBodyMapImage::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "Projection: " << projections[this->Projection] << "\n";
+  os << indent << "Coordinates: " << (this->Coordinates == MAP ? "Map" : "Planetocentric") << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";
   os << indent << "ImageSize: (" << this->ImageSize[0] << ", " << this->ImageSize[1] << ")\n";
   os << indent << "GraticuleSpacing: " << this->GraticuleSpacing << "\n";

@@ -63,6 +63,12 @@ public:
     PEIRCE_QUINCUNCIAL = 3
   };
 
+  enum CoordinateKinds
+  {
+    MAP = 0,
+    PLANETOCENTRIC = 1
+  };
+
   ///@{
   /**
    * Name of the point array to draw. Empty (default) selects the active scalars.
@@ -85,6 +91,21 @@ public:
   void SetProjectionToLambertAzimuthal() { this->SetProjection(LAMBERT_AZIMUTHAL); }
   void SetProjectionToMollweide() { this->SetProjection(MOLLWEIDE); }
   void SetProjectionToPeirceQuincuncial() { this->SetProjection(PEIRCE_QUINCUNCIAL); }
+  ///@}
+
+  ///@{
+  /**
+   * Coordinates of the map. MAP (default): longitude and latitude of the map to the sphere
+   * ("SpherePosition"), which are one to one on bodies of any shape. PLANETOCENTRIC: longitude and
+   * latitude of rays from the center of the body, as catalogs use them. A pixel then shows the
+   * point farthest from the center. Other points on the same ray are not shown. The field arrays
+   * "BodyCenter" and "BodyAxes" of vtkBodyMap determine center and directions. Without these
+   * arrays, the center is (0, 0, 0), north is the z axis, and longitude 0 is towards the x axis.
+   */
+  vtkSetClampMacro(Coordinates, int, MAP, PLANETOCENTRIC);
+  vtkGetMacro(Coordinates, int);
+  void SetCoordinatesToMap() { this->SetCoordinates(MAP); }
+  void SetCoordinatesToPlanetocentric() { this->SetCoordinates(PLANETOCENTRIC); }
   ///@}
 
   ///@{
@@ -142,6 +163,7 @@ private:
 
   std::string ArrayName;
   int Projection = EQUIRECTANGULAR;
+  int Coordinates = MAP;
   double CentralLongitude = 0.0;
   int ImageSize[2] = { 2000, 1000 };
   double GraticuleSpacing = 15.0;

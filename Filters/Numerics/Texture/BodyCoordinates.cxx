@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Mesh/GenusZeroCheck.h"
+#include "Search/OutermostHits.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/MoebiusTransform.h"
 #include "Sphere/SphereLocator.h"
@@ -38,42 +39,10 @@ Vector3 mixed(const Points& positions, const Triangles& triangles, const BodyPoi
 
 // Find the intersection of a ray with the surface that is farthest along the ray. If there is none,
 // the triangle is -1.
-BodyPoint farthestAlong(const MappedMesh& surface, const Vector3& origin, const Vector3& direction)
+BodyPoint farthestAlong(const OutermostHits& hits, const Vector3& origin, const Vector3& direction)
 {
-  constexpr double tolerance = 1e-12; // for lines between two triangles by rounding
-  const Vector3 u = direction.unitOrthogonal(), v = direction.cross(u);
-  BodyPoint best;
-  double farthest = 0.0;
-  for (int r = 0; r < surface.Triangles.rows(); ++r)
-  {
-    Vector2 flat[3];
-    Vector3 along;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3 p = surface.Positions.row(surface.Triangles(r, k)).transpose() - origin;
-      flat[k] = { p.dot(u), p.dot(v) };
-      along[k] = p.dot(direction);
-    }
-    Vector3 weights;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector2 &a = flat[next(k)], &b = flat[previous(k)];
-      weights[k] = a[0] * b[1] - a[1] * b[0];
-    }
-    const double area = weights.sum();
-    if (!(std::abs(area) > 0.0) || (weights / area).minCoeff() < -tolerance)
-    {
-      continue;
-    }
-    weights = (weights / area).cwiseMax(0.0);
-    weights /= weights.sum();
-    if (weights.dot(along) > farthest)
-    {
-      farthest = weights.dot(along);
-      best = { r, weights };
-    }
-  }
-  return best;
+  const RayHit hit = hits.along(origin, direction);
+  return { hit.Triangle, hit.Barycentric };
 }
 
 BodyPoint closestTo(const MappedMesh& surface, const Vector3& x)
@@ -92,13 +61,6 @@ BodyPoint closestTo(const MappedMesh& surface, const Vector3& x)
     }
   }
   return best;
-}
-
-Vector3 towardsLongitudeZero(const Vector3& axis)
-{
-  constexpr double parallel = 0.999;
-  const Vector3 x = std::abs(axis[0]) < parallel ? Vector3::UnitX() : Vector3::UnitY();
-  return (x - x.dot(axis) * axis).normalized();
 }
 
 Eigen::VectorXd areasOfVertices(const MappedMesh& surface)
@@ -175,6 +137,14 @@ double radiusOf(const Points& positions)
 }
 
 //------------------------------------------------------------------------------
+Vector3 towardsLongitudeZero(const Vector3& axis)
+{
+  constexpr double parallel = 0.999;
+  const Vector3 x = std::abs(axis[0]) < parallel ? Vector3::UnitX() : Vector3::UnitY();
+  return (x - x.dot(axis) * axis).normalized();
+}
+
+//------------------------------------------------------------------------------
 BodyCoordinates findBodyCoordinates(
   const MappedMesh& surface, const BodyCoordinatesOptions& options, const Run& run)
 {
@@ -194,16 +164,16 @@ BodyCoordinates findBodyCoordinates(
   }
   Steps steps(run, { 0.09, 0.09, 0.09, 0.73 }); // poles, marker, map
   const Vector3 axis = options.RotationAxis.stableNormalized();
-  steps.next();
-  const BodyPoint north = farthestAlong(surface, options.Center, axis);
+  const OutermostHits hits(surface.Positions, surface.Triangles, steps.next().unwatched());
+  const BodyPoint north = farthestAlong(hits, options.Center, axis);
   requirePoint(north, "the rotation axis does not intersect the surface to the north of Center");
   steps.next();
-  const BodyPoint south = farthestAlong(surface, options.Center, -axis);
+  const BodyPoint south = farthestAlong(hits, options.Center, -axis);
   requirePoint(south, "the rotation axis does not intersect the surface to the south of Center");
   steps.next();
   const BodyPoint marker = options.UseMarkerPoint
     ? closestTo(surface, options.MarkerPoint)
-    : farthestAlong(surface, options.Center, towardsLongitudeZero(axis));
+    : farthestAlong(hits, options.Center, towardsLongitudeZero(axis));
   requirePoint(marker,
     "no point of the surface lies from Center towards longitude 0; set UseMarkerPoint and "
     "MarkerPoint");

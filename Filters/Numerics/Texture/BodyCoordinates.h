@@ -58,6 +58,10 @@ struct BodyCoordinates
 BodyCoordinates findBodyCoordinates(
   const MappedMesh& surface, const BodyCoordinatesOptions& options = {}, const Run& run = {});
 
+/// Return the direction of longitude 0 without a marker point, perpendicular to the axis.
+/// @param[in] axis  unit vector
+Vector3 towardsLongitudeZero(const Vector3& axis);
+
 /// Convert a direction to longitude and latitude in degrees. Longitude is in [0, 360), latitude in
 /// [-90, 90].
 Vector2 toLongitudeLatitude(const Vector3& direction);
