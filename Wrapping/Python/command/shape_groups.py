@@ -1,4 +1,8 @@
-"""Groups of shapes, and a permutation test at each vertex of whether their means differ."""
+"""Groups of shapes, and a permutation test at each vertex of whether their means differ.
+
+The guide Correspondence.md names the sources of the test: Anderson2001, NicholsHolmes2002 and PhipsonSmyth2010 in
+Documentation/references.bib.
+"""
 import csv
 import os
 import typing
@@ -61,9 +65,9 @@ def test_groups(shapes, groups, permutations, seed, advanced=lambda fraction: No
 
     shapes: n x #V x 3 aligned points. groups: n names. permutations: number of random permutations of the groups.
 
-    The statistic is the pseudo-F of distances [Anderson2001]. The maximum over all vertices in each permutation
-    corrects for the number of vertices [NicholsHolmes2002]. The given order counts as one of the permutations, so
-    that no p is 0 [PhipsonSmyth2010].
+    The statistic is the pseudo-F of distances (Anderson 2001). The maximum over all vertices in each permutation
+    corrects for the number of vertices (Nichols and Holmes 2002). The given order counts as one of the permutations,
+    so that no p is 0 (Phipson and Smyth 2010).
     """
     shapes = np.asarray(shapes, dtype=float)
     number, vertices = shapes.shape[:2]

@@ -128,6 +128,10 @@ class Results:
 
     def publish(self, output):
         """Put all files into their places, the report last, and remove those of an earlier study."""
+        for name in self.names:
+            place = os.path.join(output, name)
+            if os.path.islink(place) or os.path.lexists(place) and not os.path.isfile(place):
+                raise ValueError(f"{place} is not a regular file")
         stale = set(files_of_study(output)) - set(self.names)
         for name in self.names:
             outputs.flush(os.path.join(self.folder, name))
@@ -149,4 +153,5 @@ def files_of_study(folder):
             names = json.load(file)["Files"]
     except (OSError, ValueError, KeyError, TypeError):
         return []
-    return [name for name in names if isinstance(name, str) and os.path.dirname(name) in ("", "surfaces", "modes")]
+    return [name for name in names if isinstance(name, str) and os.path.basename(name) not in ("", ".", "..")
+            and os.path.dirname(name) in ("", "surfaces", "modes")]

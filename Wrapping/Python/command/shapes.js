@@ -12,6 +12,7 @@ const scores = modes.map(() => 0);
 const points = new Float32Array(mean.length), normals = new Float32Array(mean.length);
 const colors = new Uint8Array(mean.length);
 const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442", "#777777"];
+byId("more").hidden = modes.length < 4;
 const names = [...new Set(d.groups)].sort();
 const colorOf = (i) => d.groups.length ? palette[names.indexOf(d.groups[i]) % palette.length] : palette[0];
 const limit = 3;
@@ -36,9 +37,10 @@ function moveSurface() {
   }
 }
 
-// Colors, from low to high: dark violet to yellow.
-const ramp = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
-function rampColor(x) {
+// Colors from low to high: distances from dark violet to yellow, and p from gray (p = 1) to dark red.
+const distanceRamp = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+const testRamp = [[215, 212, 205], [244, 194, 130], [230, 120, 70], [178, 40, 45], [90, 0, 30]];
+function rampColor(ramp, x) {
   const place = Math.min(Math.max(x, 0), 1) * (ramp.length - 1), k = Math.min(Math.floor(place), ramp.length - 2);
   return ramp[k].map((low, c) => low + (place - k) * (ramp[k + 1][c] - low));
 }
@@ -51,6 +53,7 @@ function colorSurface() {
     return;
   }
   let fraction, low, high;
+  const ramp = which === "moved" ? distanceRamp : testRamp;
   if (which === "moved") {
     const lengths = new Float32Array(mean.length / 3).map((_, i) => Math.hypot(
       points[3 * i] - mean[3 * i], points[3 * i + 1] - mean[3 * i + 1], points[3 * i + 2] - mean[3 * i + 2]));
@@ -66,7 +69,8 @@ function colorSurface() {
   }
   byId("low").textContent = low;
   byId("high").textContent = high;
-  for (let i = 0; i < colors.length / 3; ++i) colors.set(rampColor(fraction(i)), 3 * i);
+  for (let i = 0; i < colors.length / 3; ++i) colors.set(rampColor(ramp, fraction(i)), 3 * i);
+  byId("ramp").style.background = `linear-gradient(to right, ${ramp.map((c) => `rgb(${c})`).join(",")})`;
 }
 
 // Drawing with WebGL.
@@ -181,7 +185,8 @@ canvas.addEventListener("keydown", (event) => {
 
 // Sliders.
 function textOf(score) {
-  return (score < 0 ? "\u2212" : "+") + Math.abs(score).toFixed(1) + " \u03c3";
+  const size = Math.abs(score).toFixed(1);
+  return (size === "0.0" ? "" : score < 0 ? "\u2212" : "+") + size + " \u03c3";
 }
 const sliders = modes.map((_, k) => {
   const mode = document.createElement("div"), label = document.createElement("label");
@@ -194,7 +199,7 @@ const sliders = modes.map((_, k) => {
   label.append(`Mode ${k + 1} `, share);
   share.textContent = `${(100 * d.modes[k].share).toFixed(1)} % of the variance`;
   mode.append(label, output, slider);
-  byId("modes").append(mode);
+  byId(k < 3 ? "modes" : "more").append(mode);
   slider.addEventListener("input", () => {
     scores[k] = Number(slider.value);
     byId("shown").textContent = "";
@@ -268,7 +273,6 @@ byId("color").append(...tests.map(({ name }, k) => new Option(name, k)), new Opt
   new Option("none", "none"));
 byId("color").value = tests.length ? "0" : "none";
 byId("color").addEventListener("change", update);
-byId("ramp").style.background = `linear-gradient(to right, ${ramp.map((c) => `rgb(${c})`).join(",")})`;
 if (!modes.length) byId("modes").textContent = "All shapes are equal.";
 if (gl) prepare();
 new ResizeObserver(draw).observe(canvas);
