@@ -24,7 +24,7 @@ def make(step, options, _, steps):
     surfaces = [remesh.GetOutput().GetBlock(i) for i in range(len(step.sources))]
     mean = remesh.GetMeanShape()
     scores = shape_steps.scores_of(remesh)
-    shares = vtk_to_numpy(mean.GetFieldData().GetArray("ExplainedVariance")) if scores.size else np.empty(0)
+    shares = shape_steps.shares_of(remesh)
     kept = min(options.modes, len(shares))
     for k in range(kept, len(shares)):
         mean.GetPointData().RemoveArray(f"ShapeMode{k + 1}")

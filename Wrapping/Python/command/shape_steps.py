@@ -164,8 +164,7 @@ def mean(step, options, steps):
 
 def closest_to_mean(remesh):
     """The number of the surface with the smallest scores, in the sense of vtkSphericalTemplate."""
-    shares = vtk_to_numpy(remesh.GetMeanShape().GetFieldData().GetArray("ExplainedVariance"))
-    squares = scores_of(remesh)**2 @ shares
+    squares = scores_of(remesh)**2 @ shares_of(remesh)
     return int(np.flatnonzero(squares <= squares.min() * (1 + 1e-6))[0])
 
 
@@ -175,6 +174,12 @@ def closest_of(path):
     reader.SetFileName(path)
     reader.Update()
     return int(number(reader.GetOutput(), "ClosestSurface"))
+
+
+def shares_of(remesh):
+    """Fractions of the variance that the modes explain; none if all shapes are equal."""
+    array = remesh.GetMeanShape().GetFieldData().GetArray("ExplainedVariance")
+    return vtk_to_numpy(array) if array else np.empty(0)
 
 
 def scores_of(remesh):
