@@ -110,11 +110,13 @@ struct Remeshed
 };
 
 vtkNew<vtkPolyData> BlockOf(
-  vtkObject* self, const Remeshed& remeshed, std::size_t s, conformal::Steps& steps)
+  vtkConsistentRemesh* self, const Remeshed& remeshed, std::size_t s, conformal::Steps& steps)
 {
   const conformal::ConsistentMeshes& common = remeshed.Common;
+  const conformal::Points& positions =
+    self->GetAlignBlocks() ? remeshed.Modes.Aligned[s] : common.Positions[s];
   vtkNew<vtkPolyData> block;
-  SetShape(block, common, common.Positions[s], remeshed.Cells->GetPolys(), remeshed.Frame);
+  SetShape(block, common, positions, remeshed.Cells->GetPolys(), remeshed.Frame);
   glue::CarryPointArrays(
     self, { remeshed.Surfaces.Held[s] }, common.Weights[s], block->GetPointData(), steps.next());
   glue::AddNumber(block->GetFieldData(), "MeanSquarePointToSurface",
@@ -214,5 +216,6 @@ void vtkConsistentRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "Alignment: " << alignments[this->Alignment] << "\n";
+  os << indent << "AlignBlocks: " << this->AlignBlocks << "\n";
   os << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
 }

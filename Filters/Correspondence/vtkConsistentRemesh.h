@@ -19,8 +19,8 @@
  * inputs, with the names of the input's blocks. A block is a vtkPolyData. Positions on the unit
  * sphere are called directions. Each block contains, for each direction of a common set, the point
  * of its surface that is mapped to this direction. The polygons of all blocks are identical. The
- * blocks keep the coordinates of the inputs: Alignment affects only output port 1 and the array
- * "ShapeScores".
+ * blocks are aligned with the mean shape, see the properties Alignment and AlignBlocks. Point
+ * arrays of vectors keep the directions of the input.
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - the point arrays of the surface, interpolated at the new points as in vtkSphericalResample.
  * - field data "MeanSquarePointToSurface" (double): mean square distance between the points of the
@@ -36,7 +36,7 @@
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement of
  *   each point of the mean shape for one standard deviation of a principal component. If all modes
- *   are kept, each aligned shape is the mean shape plus a sum over the modes: the score of the
+ *   are kept, each aligned block is the mean shape plus a sum over the modes: the score of the
  *   shape times the mode.
  * - the point arrays that all surfaces have. Each value is the mean over the surfaces. In integer
  *   arrays with 1 component (labels), each value is the most frequent label.
@@ -129,6 +129,17 @@ public:
 
   ///@{
   /**
+   * Move the blocks of output port 0 to the mean shape, by the transform that Alignment permits.
+   * Statistics of the coordinates of the blocks, such as principal components, then describe only
+   * shape. If off, the blocks keep the coordinates of the input surfaces. Default is on.
+   */
+  vtkSetMacro(AlignBlocks, bool);
+  vtkGetMacro(AlignBlocks, bool);
+  vtkBooleanMacro(AlignBlocks, bool);
+  ///@}
+
+  ///@{
+  /**
    * Maximum number of principal components (modes) to keep. The components with the largest
    * variance are kept. There are always fewer components than surfaces. In [0, 1000]. Default is
    * 10.
@@ -158,6 +169,7 @@ private:
   int Frequency = 45;
   int NumberOfPoints = 20000;
   int Alignment = RIGID;
+  bool AlignBlocks = true;
   int NumberOfModes = 10;
 };
 

@@ -97,6 +97,7 @@ TEST_F(ConsistentRemesh, BlocksShareTheirPolygonsToTheBit)
 
 TEST_F(ConsistentRemesh, BlocksLieOnTheirSurfaces)
 {
+  this->Filter->AlignBlocksOff();
   this->Run();
   for (unsigned int i = 0; i < 10; i += 3)
   {
@@ -125,7 +126,7 @@ TEST_F(ConsistentRemesh, TwoHiddenModesExplainTheShapes)
     mean->GetPointData(), "ShapeMode1", VTK_DOUBLE, 3, mean->GetNumberOfPoints());
   EXPECT_NE(mean->GetPointData()->GetArray("ShapeMode9"), nullptr);
   EXPECT_NEAR(mean->GetPointData()->GetArray("Number")->GetTuple1(11), 4.5, 1e-12);
-  // The mean and all modes by their scores have the edges of the block.
+  // The mean and all modes by their scores are the block.
   for (const unsigned int s : { 0u, 6u })
   {
     vtkPolyData* block = BlockOf(this->Filter, s);
@@ -144,16 +145,45 @@ TEST_F(ConsistentRemesh, TwoHiddenModesExplainTheShapes)
         }
       }
     };
-    for (vtkIdType i = 1; i < mean->GetNumberOfPoints(); ++i)
+    for (vtkIdType i = 0; i < mean->GetNumberOfPoints(); ++i)
     {
-      double p[3], q[3], a[3], b[3];
-      rebuilt(i - 1, p);
-      rebuilt(i, q);
-      block->GetPoint(i - 1, a);
-      block->GetPoint(i, b);
-      ASSERT_NEAR(std::sqrt(vtkMath::Distance2BetweenPoints(p, q)),
-        std::sqrt(vtkMath::Distance2BetweenPoints(a, b)), 1e-9);
+      double p[3];
+      rebuilt(i, p);
+      ASSERT_NEAR(vtkMath::Distance2BetweenPoints(p, block->GetPoint(i)), 0.0, 1e-18);
     }
+  }
+}
+
+TEST_F(ConsistentRemesh, AlignedBlocksAreMovedAndScaledOnlyAsAllowed)
+{
+  // Lengths of edges of a block, relative to the block that keeps the coordinates of its surface.
+  const auto lengths = [&](unsigned int s)
+  {
+    std::vector<double> result;
+    for (vtkIdType i = 1; i < BlockOf(this->Filter, s)->GetNumberOfPoints(); ++i)
+    {
+      double p[3], q[3];
+      BlockOf(this->Filter, s)->GetPoint(i - 1, p);
+      BlockOf(this->Filter, s)->GetPoint(i, q);
+      result.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(p, q)));
+    }
+    return result;
+  };
+  this->Filter->AlignBlocksOff();
+  this->Run();
+  const std::vector<double> kept = lengths(7);
+  this->Filter->AlignBlocksOn();
+  this->Run();
+  const std::vector<double> rigid = lengths(7);
+  this->Filter->SetAlignmentToSimilarity();
+  this->Run();
+  const std::vector<double> scaled = lengths(7);
+  const double scale = scaled.front() / kept.front();
+  EXPECT_GT(std::abs(scale - 1.0), 1e-3);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    ASSERT_NEAR(rigid[i], kept[i], 1e-9);
+    ASSERT_NEAR(scaled[i], scale * kept[i], 1e-9);
   }
 }
 
@@ -204,7 +234,7 @@ TEST_F(ConsistentRemesh, RunsOnlyWhenModifiedAndPrints)
 {
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetNumberOfModes(3); });
   for (const char* property :
-    { "MeshType", "Frequency", "NumberOfPoints", "Alignment", "NumberOfModes" })
+    { "MeshType", "Frequency", "NumberOfPoints", "Alignment", "AlignBlocks", "NumberOfModes" })
   {
     contract::ExpectPrints(this->Filter, property);
   }

@@ -172,6 +172,7 @@ ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>&
       shape = (shape * turn).eval();
     }
   }
+  result.Aligned = aligned;
   for (Points& shape : aligned)
   {
     shape -= result.Mean;
@@ -179,7 +180,12 @@ ShapeModes findShapeModes(const Triangles& triangles, const std::vector<Points>&
   addModes(result, aligned, shares, options.NumberOfModes, steps.next());
   if (options.Alignment != ShapeAlignment::None)
   {
-    result.Mean.rowwise() += centerOf(shapes.front(), shares).transpose();
+    const Eigen::RowVector3d center = centerOf(shapes.front(), shares).transpose();
+    result.Mean.rowwise() += center;
+    for (Points& shape : result.Aligned)
+    {
+      shape.rowwise() += center;
+    }
   }
   return result;
 }

@@ -29,12 +29,13 @@ struct ShapeModesOptions
 };
 
 /// Mean shape and modes of #S shapes. A mode is a principal component: a displacement of every
-/// vertex. Let K be the number of modes. If all modes are kept, the aligned shape s equals Mean +
-/// sum over k in [0, K) of Scores(s, k) Modes[k].
+/// vertex. Let K be the number of modes. If all modes are kept, Aligned[s] equals Mean + sum over k
+/// in [0, K) of Scores(s, k) Modes[k], up to rounding.
 struct ShapeModes
 {
   /// Mean of the aligned shapes, #V by 3, with the center and orientation of the first shape.
   Points Mean;
+  std::vector<Points> Aligned; ///< #S shapes after the alignment, each #V by 3
   /// #K modes, each #V by 3. Mean plus a mode differs from Mean by one standard deviation of the
   /// shapes along this mode.
   std::vector<Points> Modes;

@@ -71,8 +71,8 @@ class TellingSteps(Steps):
         self.tell("ended", label, warnings)
 
 
-def work(task, options, pixels, told, log, shows, threads):
-    """Make the surface of one scan in a process of its own, and tell how it went."""
+def work(make, task, options, pixels, told, log, shows, threads):
+    """Do one task by make() in a process of its own, and tell how it went."""
     os.dup2(log.fileno(), 1)
     os.dup2(log.fileno(), 2)
     steps = TellingSteps(told, shows)
@@ -85,7 +85,7 @@ def work(task, options, pixels, told, log, shows, threads):
         silence()
         if threads:
             vtkSMPTools.Initialize(threads)
-        steps.tell("made", *made(task, options, pixels, steps))
+        steps.tell("made", *make(task, options, pixels, steps))
     except Interrupted as interrupted:
         outputs.discard(task.paths.files(), task.token)
         signal.signal(interrupted.args[0], signal.SIG_DFL)
@@ -116,7 +116,7 @@ def made(task, options, pixels, steps):
 class Job:
     """A scan at work in another process, and what is known about it."""
 
-    def __init__(self, task, options, pixels, shows, threads):
+    def __init__(self, make, task, options, pixels, shows, threads):
         self.task = task
         self.label, self.percent = "Start", 0
         self.log, self.entry, self.crashed = b"", None, False
@@ -124,7 +124,7 @@ class Job:
         self.told, told = CONTEXT.Pipe(duplex=False)
         self.printed, printed = CONTEXT.Pipe(duplex=False)
         self.process = CONTEXT.Process(
-            target=work, args=(task, options, pixels, told, printed, shows, threads), daemon=True)
+            target=work, args=(make, task, options, pixels, told, printed, shows, threads), daemon=True)
         with blocked_signals():  # until the process has its own handlers
             self.process.start()
         told.close()
@@ -204,9 +204,13 @@ def blocked_signals():
 
 
 class Jobs:
-    """All scans, so many at a time; lines are printed in the order of the scans."""
+    """All scans, so many at a time; lines are printed in the order of the scans.
 
-    def __init__(self, tasks, options, pixels, bar):
+    make(task, options, pixels, steps) does the work for a scan, and returns its entry of the report and a table.
+    """
+
+    def __init__(self, tasks, options, pixels, bar, make=made):
+        self.make = make
         self.waiting = list(reversed(tasks))
         self.options, self.pixels, self.bar = options, pixels, bar
         self.number = min(options.jobs, len(tasks))
@@ -235,7 +239,7 @@ class Jobs:
 
     def start(self, task):
         """Start a scan."""
-        job = Job(task, self.options, self.pixels, self.bar.terminal, self.threads)
+        job = Job(self.make, task, self.options, self.pixels, self.bar.terminal, self.threads)
         self.running.append(job)
         self.all.append(job)
 

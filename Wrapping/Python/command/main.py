@@ -5,13 +5,12 @@ import os
 import signal
 import sys
 
-import numpy
 from vtkmodules.vtkCommonCore import vtkVersion
 
 import conformalsom
 
-from . import jobs, outputs, pictures, surfaces, textures
-from .plan import WrongUsage, paths_of
+from . import jobs, outputs, pictures, shapes, surfaces, textures
+from .plan import WrongUsage, expect_directions, expect_utf8, paths_of, positive
 from .progress import Bar, printable
 from .steps import Interrupted
 
@@ -25,6 +24,7 @@ examples:
   conformalsom scan.ply --texture photo.png -o surface.glb
   conformalsom scan.ply -o surface.vtp -o surface.stl --report figures.json
   conformalsom scans/*.ply -o 'surfaces/{}.glb'
+  conformalsom shapes scans/*.ply -o study/   # mean and modes; see conformalsom shapes --help
 
 exit status:
   0  all files were written
@@ -40,14 +40,6 @@ def size(text):
     number = int(text)
     if number not in SIZES:
         raise argparse.ArgumentTypeError(f"{number} is not in [{SIZES[0]}, {SIZES[-1]}]")
-    return number
-
-
-def positive(text):
-    """A number of jobs."""
-    number = int(text)
-    if number < 1:
-        raise argparse.ArgumentTypeError(f"{number} is less than 1")
     return number
 
 
@@ -102,21 +94,6 @@ def arguments(argv):
         return options, plan_of(options)
     except WrongUsage as error:
         parser.error(printable(str(error)))
-
-
-def expect_directions(view, up):
-    """Raise WrongUsage where the viewer's directions give no picture."""
-    across = numpy.cross(view, up)
-    if not (numpy.isfinite([*view, *up]).all() and numpy.linalg.norm(across) > 0.0):
-        raise WrongUsage("--view and --up must be finite, not zero, and not parallel")
-
-
-def expect_utf8(name):
-    """Raise WrongUsage for a file name that VTK cannot take."""
-    try:
-        name.encode("utf-8")
-    except UnicodeEncodeError:
-        raise WrongUsage(f"{ascii(os.fsencode(name))[2:-1]}: names of files must be UTF-8") from None
 
 
 def plan_of(options):
@@ -192,18 +169,27 @@ class Interruption:
 
 def main(argv=None):
     """Run the command; returns the exit status."""
+    argv = sys.argv[1:] if argv is None else list(argv)
     occupy_standard_streams()
+    if argv[:1] == ["shapes"]:
+        study = shapes.arguments(argv[1:])
+        return guarded(lambda bar: shapes.run(study, bar))
     options, all_paths = arguments(argv)
     if sys.stdout is None and (options.measure or options.report == "-"):
         complain("the standard output is closed, but the table or the report needs it")
         return 1
+    return guarded(lambda bar: run(options, all_paths, bar))
+
+
+def guarded(work):
+    """Call work() with a bar, and end as asked by signals; returns the exit status."""
     jobs.silence()
     bar, interruption = Bar(), Interruption()
     for number in jobs.SIGNALS:
         if signal.getsignal(number) != signal.SIG_IGN:
             signal.signal(number, interruption)
     try:
-        return run(options, all_paths, bar)
+        return work(bar)
     except Interrupted as interrupted:
         bar.clear()
         number = interrupted.args[0]

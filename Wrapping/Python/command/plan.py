@@ -1,8 +1,11 @@
 """What a call reads and writes, checked before any work: every file can be written, and no input is replaced."""
+import argparse
 import errno
 import os
 import stat
 import typing
+
+import numpy
 
 from . import outputs, scan_files
 
@@ -61,6 +64,29 @@ def expect_name(path):
     """Raise WrongUsage for a name that no writer takes."""
     if any(ord(character) < 32 or ord(character) == 127 for character in path):
         raise WrongUsage(f"{path}: names of files to write cannot have newlines or other control characters")
+
+
+def positive(text):
+    """A number of jobs."""
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{number} is less than 1")
+    return number
+
+
+def expect_directions(view, up):
+    """Raise WrongUsage where the viewer's directions give no picture."""
+    across = numpy.cross(view, up)
+    if not (numpy.isfinite([*view, *up]).all() and numpy.linalg.norm(across) > 0.0):
+        raise WrongUsage("--view and --up must be finite, not zero, and not parallel")
+
+
+def expect_utf8(name):
+    """Raise WrongUsage for a file name that VTK cannot take."""
+    try:
+        name.encode("utf-8")
+    except UnicodeEncodeError:
+        raise WrongUsage(f"{ascii(os.fsencode(name))[2:-1]}: names of files must be UTF-8") from None
 
 
 class Checks:

@@ -1,0 +1,75 @@
+"""The page of a study: one file that shows the mean with its modes by sliders, and the groups of the scans."""
+import base64
+import html
+import json
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+TEMPLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "shapes")
+STEPS = 32767  # of coordinates, which have 16 bits
+
+
+def template():
+    """The page without data; raises OSError if the package is incomplete."""
+    parts = {}
+    for kind in ("html", "css", "js"):
+        with open(f"{TEMPLATE}.{kind}", encoding="utf-8") as file:
+            parts[kind] = file.read()
+    return parts["html"].replace("{{style}}", parts["css"]).replace("{{program}}", parts["js"])
+
+
+class Data:
+    """Arrays of a page: base64 of all, and where each begins."""
+
+    def __init__(self):
+        self.bytes = b""
+
+    def add(self, values, kind):
+        """Append an array, aligned to 4 bytes; returns its place and its number of values."""
+        self.bytes += bytes(-len(self.bytes) % 4)
+        place = len(self.bytes)
+        array = np.ascontiguousarray(values, dtype=kind)
+        self.bytes += array.tobytes()
+        return [place, array.size]
+
+    def add_vectors(self, vectors):
+        """Append vectors as 16-bit integers; returns their place, number and unit."""
+        unit = float(np.abs(vectors).max(initial=0.0)) / STEPS or 1.0
+        return [*self.add(np.rint(vectors / unit), "<i2"), unit]
+
+
+def page_of(mean, shares, scores, report, options):
+    """The text of the page."""
+    points = vtk_to_numpy(mean.GetPoints().GetData()).astype(float)
+    points = points - 0.5 * (points.min(axis=0) + points.max(axis=0))
+    size = float(np.linalg.norm(points, axis=1).max())
+    arrays, data = mean.GetPointData(), Data()
+    description = {
+        "points": data.add_vectors(points / size),
+        "triangles": data.add(vtk_to_numpy(mean.GetPolys().GetConnectivityArray()), "<u4"),
+        "modes": [{"share": float(shares[k]), "vectors": data.add_vectors(
+            vtk_to_numpy(arrays.GetArray(f"ShapeMode{k + 1}")) / size)} for k in range(scores.shape[1])],
+        "axes": axes(options.view, options.up),
+        "scans": [{"name": name, "scores": [float(score) for score in row]}
+                  for name, row in zip(options.names, scores)],
+        "groups": options.groups_of,
+        "permutations": report.get("Permutations", 0),
+        "tests": [[label, data.add(vtk_to_numpy(arrays.GetArray(name)), "<f4")] for label, name in (
+            ("p of groups, corrected", "GroupPCorrected"), ("p of groups, each vertex alone", "GroupP"))
+            if arrays.GetArray(name)],
+    }
+    title = os.path.basename(os.path.realpath(options.output)) or "Shapes"
+    text = json.dumps(description).replace("<", "\\u003c")
+    parts = template().split("{{title}}")
+    page = html.escape(title).join(parts)
+    return page.replace("{{description}}", text).replace("{{data}}", base64.b64encode(data.bytes).decode())
+
+
+def axes(view, up):
+    """Rows of unit vectors that point right, up and to the viewer."""
+    front = np.array(view, dtype=float) / np.linalg.norm(view)
+    right = np.cross(up, front)
+    right /= np.linalg.norm(right)
+    return [*right.tolist(), *np.cross(front, right).tolist(), *front.tolist()]

@@ -1,0 +1,188 @@
+"""The command conformalsom shapes: a study of the shapes of many scans."""
+import argparse
+import os
+
+from . import jobs, outputs, shape_groups, shape_page, shape_results, shape_steps
+from .plan import Paths, WrongUsage, expect_directions, expect_name, expect_utf8, positive
+from .progress import printable
+from .scan_files import inputs_of, scan_reader
+
+DESCRIPTION = """\
+Compares the shapes of many scans. Makes a closed surface of each scan, registers all surfaces with
+their mean, aligns them, and computes their principal components (modes). All surfaces that are
+written have the same triangles, and points with equal ids correspond."""
+
+EPILOG = """\
+FOLDER then contains
+  surfaces/   one aligned surface for each scan
+  mean.vtp    the mean, with the modes, and with the test of the groups, as point arrays
+  modes/      the mean, moved by -2, -1, 1 and 2 standard deviations of each mode
+  scores.csv  scores of each scan, in standard deviations of each mode
+  variance.csv  fraction of the variance that each mode explains
+  index.html  a page that shows modes by sliders, and groups by color
+  study.json  settings, and names of all files
+  work/       surfaces that are registered; a call that was stopped continues with them
+
+exit status: as that of conformalsom. After an error, results are not written."""
+
+FORMATS = [extension for extension in outputs.SURFACES if extension not in (".glb", ".html")]
+
+
+def in_range(low, high):
+    """The type of an integer in [low, high]."""
+    def number(text):
+        value = int(text)
+        if not low <= value <= high:
+            raise argparse.ArgumentTypeError(f"{value} is not in [{low}, {high}]")
+        return value
+    number.__name__ = "number"
+    return number
+
+
+def arguments(argv):
+    """What the command line says."""
+    parser = argparse.ArgumentParser(prog="conformalsom shapes", description=DESCRIPTION, epilog=EPILOG,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scans", nargs="+", metavar="SCAN", help="file with the points of one object; two or more")
+    parser.add_argument("-o", "--output", required=True, metavar="FOLDER", help="folder to write")
+    parser.add_argument("--alignment", choices=("rigid", "similarity"), default="rigid",
+                        help="differences that are no shape: position and orientation (rigid), or also size "
+                             "(similarity); default rigid")
+    parser.add_argument("--groups", metavar="FILE", help="CSV file with the columns scan and group; test at each "
+                        "vertex whether the means of the groups differ")
+    parser.add_argument("--permutations", type=in_range(99, 1000000), default=1000, metavar="N",
+                        help="number of permutations of the test, in [99, 1000000]; default 1000")
+    parser.add_argument("--random-seed", type=in_range(0, 2**32 - 1), default=0, metavar="N",
+                        help="seed of the permutations; default 0")
+    parser.add_argument("--points", type=in_range(500, 1000000), default=20000, metavar="N",
+                        help="number of points of each surface, within 2 %%; in [500, 1000000], default 20000")
+    parser.add_argument("--modes", type=in_range(1, 1000), default=10, metavar="N",
+                        help="maximum number of modes to write; default 10")
+    parser.add_argument("--rounds", type=in_range(0, 100), default=2, metavar="N",
+                        help="how often all surfaces are registered with their mean; in [0, 100], default 2")
+    parser.add_argument("--format", choices=FORMATS, default=".ply", help="of the surfaces and modes; default .ply")
+    parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
+                        help="direction to the viewer of the page, in coordinates of the first scan; default 0 0 1")
+    parser.add_argument("--up", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 1, 0),
+                        help="direction that is up in the page; default 0 1 0")
+    parser.add_argument("--overwrite", action="store_true", help="replace the results of an earlier study in FOLDER")
+    parser.add_argument("--jobs", type=positive, default=1, metavar="N",
+                        help="number of surfaces to process at a time; default 1")
+    options = parser.parse_args(argv)
+    options.report = None  # of which jobs ask
+    try:
+        expect_sense(options)
+    except WrongUsage as error:
+        parser.error(printable(str(error)))
+    return options
+
+
+def expect_sense(options):
+    """Raise WrongUsage where the call makes no sense, or would replace what it must not."""
+    for name in (*options.scans, options.output, options.groups):
+        expect_utf8(name or "")
+    expect_directions(options.view, options.up)
+    if len(options.scans) < 2:
+        raise WrongUsage("two scans or more are needed")
+    options.names = [os.path.splitext(os.path.basename(scan))[0] for scan in options.scans]
+    for name in options.names:
+        expect_name(name)
+        if options.names.count(name) > 1:
+            raise WrongUsage(f"two scans have the name {name}, which names their surfaces")
+    expect_folder(options)
+
+
+def expect_folder(options):
+    """Raise WrongUsage if a study cannot be written to the folder, or would replace something else."""
+    folder = options.output
+    expect_name(folder)
+    real = os.path.realpath(folder)
+    for path in [file for scan in options.scans for file in inputs_of(scan)] + [options.groups or os.devnull]:
+        if os.path.realpath(path).startswith(os.path.join(real, "")):
+            raise WrongUsage(f"{path} is an input, but lies in the folder to write")
+    if not os.path.lexists(folder):
+        parent = os.path.dirname(real)
+        while not os.path.lexists(parent):
+            parent = os.path.dirname(parent)
+        if not (os.path.isdir(parent) and outputs.may(parent, os.W_OK | os.X_OK)):
+            raise WrongUsage(f"{folder} cannot be made: no files can be made in {parent}")
+        return
+    if not os.path.isdir(folder):
+        raise WrongUsage(f"{folder} is not a folder")
+    if not outputs.may(folder, os.W_OK | os.X_OK):
+        raise WrongUsage(f"{folder}: this user may not write it")
+    there = os.listdir(folder)
+    if there and "work" not in there:
+        raise WrongUsage(f"{folder} has files that are not of a study; use a new folder")
+    if shape_results.REPORT in there and not options.overwrite:
+        raise WrongUsage(f"{folder} has a study already; use --overwrite or another folder")
+
+
+class Failed(Exception):
+    """A step failed, and its message has been printed."""
+
+
+class Study:
+    """The steps of a study; those whose files exist are not done again."""
+
+    def __init__(self, options, bar):
+        self.options, self.bar = options, bar
+        self.work = os.path.join(options.output, "work")
+
+    def jobs(self, steps, make):
+        """Do steps, each in a process of its own."""
+        entries = jobs.Jobs(steps, self.options, None, self.bar, make).run()
+        if any("Error" in entry for entry in entries):
+            raise Failed
+
+    def done(self, steps):
+        """Do steps; returns their files."""
+        steps = list(steps)
+        waiting = {step.file: step for step in steps if not os.path.isfile(step.file)}
+        if waiting:
+            self.jobs(list(waiting.values()), shape_steps.make)
+        return [step.file for step in steps]
+
+    def registered(self, maps, fixed):
+        """All maps registered with a surface; one that is this surface stays as it is."""
+        files = iter(self.done(shape_steps.step_of("register", scan, [path, fixed], self.work)
+                               for scan, path in zip(self.options.scans, maps) if path != fixed))
+        return [path if path == fixed else next(files) for path in maps]
+
+    def mean(self, surfaces, first):
+        """The mean of surfaces, oriented as one of them."""
+        order = [surfaces[first], *surfaces[:first], *surfaces[first + 1:]]
+        return self.done([shape_steps.step_of("mean", "mean", order, self.work, self.options.alignment)])[0]
+
+    def surfaces(self):
+        """All surfaces registered with their mean, in the order of vtkSphericalTemplate."""
+        maps = self.done(shape_steps.step_of("map", scan, [scan], self.work) for scan in self.options.scans)
+        surfaces = self.registered(maps, maps[0])
+        start = shape_steps.closest_of(self.mean(surfaces, 0))
+        surfaces = self.registered(maps, maps[start])
+        for _ in range(self.options.rounds):
+            surfaces = self.registered(maps, self.mean(surfaces, start))
+        return surfaces
+
+    def run(self):
+        """Make the study; returns the exit status."""
+        os.makedirs(self.work, exist_ok=True)
+        try:
+            mean = os.path.join(self.options.output, "mean.vtp")
+            step = shape_steps.Step("results", self.options.output, tuple(self.surfaces()), Paths([mean], ""),
+                                    outputs.new_token(), self.work)
+            self.jobs([step], shape_results.make)
+        except Failed:
+            return 1
+        return 0
+
+
+def run(options, bar):
+    """Make a study; returns the exit status. Raises ValueError or OSError for unsuitable inputs."""
+    for scan in options.scans:
+        scan_reader(scan)
+        with open(scan, "rb"):  # or an error that names the reason
+            pass
+    options.groups_of = shape_groups.read_groups(options.groups, options.names) if options.groups else []
+    shape_page.template()  # or an error before any work
+    return Study(options, bar).run()
