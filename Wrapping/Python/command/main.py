@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 import conformalsom
 
-from . import jobs, outputs, pictures, shapes, surfaces, textures
+from . import jobs, maps, outputs, pictures, shapes, surfaces, textures
 from .plan import WrongUsage, expect_directions, expect_utf8, paths_of, positive
 from .progress import Bar, printable
 from .steps import Interrupted
@@ -25,6 +25,7 @@ examples:
   conformalsom scan.ply -o surface.vtp -o surface.stl --report figures.json
   conformalsom scans/*.ply -o 'surfaces/{}.glb'
   conformalsom shapes scans/*.ply -o study/   # mean and modes; see conformalsom shapes --help
+  conformalsom map body.tab -o map.tif        # GeoTIFF of a body; see conformalsom map --help
 
 exit status:
   0  all files were written
@@ -174,6 +175,9 @@ def main(argv=None):
     if argv[:1] == ["shapes"]:
         study = shapes.arguments(argv[1:])
         return guarded(lambda bar: shapes.run(study, bar))
+    if argv[:1] == ["map"]:
+        chart = maps.arguments(argv[1:])
+        return guarded(lambda bar: maps.run(chart))
     options, all_paths = arguments(argv)
     if sys.stdout is None and (options.measure or options.report == "-"):
         complain("the standard output is closed, but the table or the report needs it")

@@ -1,0 +1,116 @@
+"""conformalsom map: GeoTIFF files as GDAL reads them. Skipped without packages python3-gdal and gdal-bin."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+from conformalsom import vtkGeodesicSphereSource
+
+try:
+    from osgeo import gdal
+    gdal.UseExceptions()
+except ImportError:
+    gdal = None
+
+COMMAND = os.environ.get("CONFORMALSOM_COMMAND")
+RADII = np.array([3.0, 2.0, 1.5])  # km
+
+
+def conformalsom(*words):
+    """Run the command; returns the finished process."""
+    words = ([COMMAND] if COMMAND else [sys.executable, "-m", "conformalsom"]) + [str(word) for word in words]
+    return subprocess.run(words, capture_output=True, text=True)
+
+
+@unittest.skipUnless(gdal and shutil.which("gdalinfo"), "python3-gdal or gdal-bin is not installed")
+class TestMap(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory(prefix="map f\u00fcr ")
+        cls.body = os.path.join(cls.temporary.name, "Ellipsoid.ply")
+        source = vtkGeodesicSphereSource()
+        source.SetFrequency(40)
+        source.Update()
+        surface, points = source.GetOutput(), vtkPoints()
+        points.SetData(numpy_to_vtk(vtk_to_numpy(surface.GetPoints().GetData()) * RADII, deep=True))
+        surface.SetPoints(points)
+        writer = vtkPLYWriter()
+        writer.SetInputData(surface)
+        writer.SetFileName(cls.body)
+        writer.Write()
+        cls.path = os.path.join(cls.temporary.name, "map.tif")
+        cls.made = conformalsom("map", cls.body, "-o", cls.path, "--width", 360, "--central-longitude", 180)
+        assert cls.made.returncode == 0, cls.made.stderr
+        file = gdal.Open(cls.path)
+        cls.bands = {file.GetRasterBand(i).GetDescription(): file.GetRasterBand(i).ReadAsArray().astype(float)
+                     for i in range(1, file.RasterCount + 1)}
+        left, across, _, top, _, down = file.GetGeoTransform()
+        cls.longitude = np.radians(left + across * (np.arange(360) + 0.5))[None, :]
+        cls.latitude = np.radians(top + down * (np.arange(180) + 0.5))[:, None]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def path_of(self, name):
+        return os.path.join(self.temporary.name, name)
+
+    def test_gdalinfo_knows_the_body_and_the_bands(self):
+        text = subprocess.run(["gdalinfo", "-json", self.path], capture_output=True, text=True, check=True).stdout
+        facts = json.loads(text)
+        self.assertEqual([band["description"] for band in facts["bands"]],
+                         ["height", "slope", "radius", "area", "x", "y", "z"])
+        self.assertEqual({band["type"] for band in facts["bands"]}, {"Float32"})
+        self.assertEqual({str(band["noDataValue"]) for band in facts["bands"]}, {"NaN"})
+        self.assertEqual(facts["bands"][0]["unit"], "m")
+        self.assertIn("Ellipsoid planetocentric", facts["coordinateSystem"]["wkt"])
+        self.assertEqual(facts["geoTransform"], [0.0, 1.0, 0.0, 90.0, 0.0, -1.0])
+
+    def test_positions_lie_at_their_pixels(self):
+        """Round trip: the longitude and latitude of x, y, z are those of the pixel's middle, within 0.1 pixel."""
+        x, y, z = (self.bands[name] for name in "xyz")
+        longitude, latitude = np.arctan2(y, x), np.arctan2(z, np.hypot(x, y))
+        across = np.angle(np.exp(1j * (longitude - self.longitude))) * np.cos(latitude)
+        self.assertLess(np.degrees(np.abs(across)).max(), 0.001)
+        self.assertLess(np.degrees(np.abs(latitude - self.latitude)).max(), 0.001)
+
+    def test_radii_and_areas_are_those_of_the_ellipsoid(self):
+        direction = np.stack(np.broadcast_arrays(
+            np.cos(self.latitude) * np.cos(self.longitude), np.cos(self.latitude) * np.sin(self.longitude),
+            np.sin(self.latitude)), axis=-1)
+        exact = 1000.0 / np.linalg.norm(direction / RADII, axis=-1)
+        np.testing.assert_allclose(self.bands["radius"], exact, rtol=2e-3)  # flat triangles
+        p = 1.6075  # Thomsen's formula, within 1.2 %
+        a, b, c = (1000.0 * RADII) ** p
+        area = 4.0 * np.pi * ((a * b + a * c + b * c) / 3.0) ** (1.0 / p)
+        self.assertAlmostEqual(self.bands["area"].sum() / area, 1.0, delta=0.02)
+        self.assertLess(np.abs(self.bands["height"]).max(), 6.0)  # the ellipsoid is its own reference
+        self.assertLess(self.bands["slope"].max(), 4.0)
+
+    def test_what_cannot_work_is_said_and_nothing_is_written(self):
+        target = self.path_of("new.tif")
+        for words, text in [(("-o", self.path_of("new.png")), "expected a file of type .tif"),
+                            (("-o", self.path), "already exists"),
+                            (("-o", target, "--axis", 0, 0, 0), "not zero"),
+                            (("-o", target, "--crs", "IAU_2015:nothing"), "--crs"),
+                            (("-o", target, "--width", 3), "not in [16, 40000]")]:
+            with self.subTest(words):
+                result = conformalsom("map", self.body, *words)
+                self.assertEqual(result.returncode, 2)
+                self.assertIn(text, result.stderr)
+        result = conformalsom("map", self.body, "-o", target, "--center", 9, 9, 9)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("does not intersect", result.stderr)
+        self.assertEqual(sorted(os.listdir(self.temporary.name)), ["Ellipsoid.ply", "map.tif"])
+
+
+if __name__ == "__main__":
+    unittest.main()

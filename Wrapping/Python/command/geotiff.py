@@ -1,0 +1,54 @@
+"""Write numbers on a map as a GeoTIFF, by GDAL's module for Python."""
+import numpy as np
+
+from .plan import WrongUsage
+
+try:
+    from osgeo import gdal, osr
+    gdal.UseExceptions()
+    osr.UseExceptions()
+except ImportError:
+    gdal = None
+
+UNITS = {"slope": "degree", "area": "m2"}  # all others: m
+
+
+def expect_available(crs):
+    """Raise WrongUsage without GDAL, and for a reference system that it does not know."""
+    if gdal is None:
+        raise WrongUsage("maps need GDAL's module for Python: install python3-gdal (Debian) or gdal (PyPI)")
+    if crs:
+        try:
+            osr.SpatialReference().SetFromUserInput(crs)
+        except RuntimeError as error:
+            raise WrongUsage(f"--crs {crs}: {error}") from None
+
+
+def reference_system(crs, name, radius):
+    """That of a code, or longitude and latitude on a sphere [degrees]. The radius is in meters."""
+    system = osr.SpatialReference()
+    if crs:
+        system.SetFromUserInput(crs)
+    else:
+        title = "".join(c for c in name if c.isprintable() and c not in '"[]') or "body"
+        system.SetGeogCS(f"{title} planetocentric", f"{title}", f"{title}", radius, 0.0, "Longitude 0", 0.0,
+                         "degree", np.pi / 180.0)
+    system.SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)  # longitude first
+    return system
+
+
+def write(path, bands, central_longitude, name, radius, crs=None):
+    """Bands by name: rows of pixels from the north, the whole sphere."""
+    rows, columns = next(iter(bands.values())).shape
+    file = gdal.GetDriverByName("GTiff").Create(
+        path, columns, rows, len(bands), gdal.GDT_Float32, ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES"])
+    file.SetGeoTransform((central_longitude - 180.0, 360.0 / columns, 0.0, 90.0, 0.0, -180.0 / rows))
+    file.SetProjection(reference_system(crs, name, radius).ExportToWkt())
+    for number, (title, values) in enumerate(bands.items(), 1):
+        band = file.GetRasterBand(number)
+        band.SetDescription(title)
+        band.SetUnitType(UNITS.get(title, "m"))
+        band.SetNoDataValue(float("nan"))
+        band.WriteArray(values)
+    file.FlushCache()
+    del file

@@ -1,0 +1,164 @@
+"""The command conformalsom map: a map of a body as a GeoTIFF of numbers, or as a picture."""
+import argparse
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+
+from conformalsom import vtkBodyMap, vtkBodyMapImage, vtkGlobalConformalMap
+
+from . import geotiff, outputs, scan_files
+from .plan import WrongUsage, expect_name, expect_utf8
+from .progress import printable
+from .steps import Steps
+
+DESCRIPTION = """\
+Draws the surface of a body, such as an asteroid, as a map in longitude and latitude. The file is a
+GeoTIFF with bands of 32-bit numbers, for GDAL, QGIS and other programs. It needs GDAL's module for
+Python (Debian: python3-gdal)."""
+
+EPILOG = """\
+bands:
+  1 height  over an ellipsoid with the volume and the moments of the body [m]
+  2 slope   angle between the surface and this ellipsoid [degrees]
+  3 radius  distance from the center [m]
+  4 area    of the surface in a pixel [m^2]
+  5, 6, 7   x, y, z of the surface [m]
+Pixels without a value, where no ray from the center meets the body, are NaN, the NoData value.
+
+A shape model has its origin in the center of the body, its z axis to the north, and its x axis to
+longitude 0. If not, use --center and --axis."""
+
+BANDS = ("height", "slope", "radius", "area", "x", "y", "z")
+METERS = {"m": 1.0, "km": 1000.0}
+
+
+def width(text):
+    """A number of pixels."""
+    number = int(text)
+    if not 16 <= number <= 40000:
+        raise argparse.ArgumentTypeError(f"{number} is not in [16, 40000]")
+    return number
+
+
+def arguments(argv):
+    """What the command line says."""
+    parser = argparse.ArgumentParser(prog="conformalsom map", description=DESCRIPTION, epilog=EPILOG,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("body", metavar="BODY", help="file with a closed surface without handles (.tab, .obj, .ply ...)")
+    parser.add_argument("-o", "--output", required=True, metavar="FILE", help="GeoTIFF to write (.tif or .tiff)")
+    parser.add_argument("--unit", choices=METERS, default="km", help="of the coordinates in BODY; default km")
+    parser.add_argument("--width", type=width, default=2000, metavar="N",
+                        help="width in pixels, twice the height; in [16, 40000], default 2000")
+    parser.add_argument("--coordinates", choices=("planetocentric", "map"), default="planetocentric",
+                        help="planetocentric: longitude and latitude as catalogs use them; a pixel shows the point "
+                             "farthest from the center. map: those of a map to the sphere, in which every point of "
+                             "the surface has its own pixel; no catalog has these. Default planetocentric")
+    parser.add_argument("--central-longitude", type=float, default=0.0, metavar="DEGREES",
+                        help="in the middle of the map, east; in [-360, 360], default 0")
+    parser.add_argument("--center", nargs=3, type=float, default=(0.0, 0.0, 0.0), metavar=("X", "Y", "Z"),
+                        help="of the body, in the unit of BODY; default 0 0 0")
+    parser.add_argument("--axis", nargs=3, type=float, default=(0.0, 0.0, 1.0), metavar=("X", "Y", "Z"),
+                        help="direction of north; default 0 0 1")
+    parser.add_argument("--crs", metavar="CODE", help="coordinate reference system as GDAL knows it, such as "
+                        "IAU_2015:200000400; default: longitude and latitude on a sphere of the body's mean radius")
+    parser.add_argument("--overwrite", action="store_true", help="replace FILE")
+    options = parser.parse_args(argv)
+    try:
+        expect_sense(options)
+    except WrongUsage as error:
+        parser.error(printable(str(error)))
+    return options
+
+
+def expect_sense(options):
+    """Raise WrongUsage where the call cannot give a map."""
+    expect_name(options.output)
+    expect_utf8(options.output)
+    if outputs.extension_of(options.output) not in (".tif", ".tiff"):
+        raise WrongUsage(f"{options.output}: expected a file of type .tif .tiff")
+    if any(os.path.realpath(options.output) == os.path.realpath(file) for file in scan_files.inputs_of(options.body)):
+        raise WrongUsage(f"{options.output}: is read, too")
+    if os.path.lexists(options.output) and not options.overwrite:
+        raise WrongUsage(f"{options.output}: already exists; use --overwrite or another name")
+    if not abs(options.central_longitude) <= 360.0:
+        raise WrongUsage("--central-longitude must be in [-360, 360]")
+    if not np.isfinite([*options.center, *options.axis]).all() or not np.any(options.axis):
+        raise WrongUsage("--center and --axis must be finite, and --axis not zero")
+    geotiff.expect_available(options.crs)
+
+
+def run(options):
+    """Read, map, draw and write; returns the exit status."""
+    steps = Steps()
+    body = vtkBodyMap()
+    body.SetInputData(mapped(options.body, steps))
+    body.SetCenter(options.center)
+    body.SetRotationAxis(options.axis)
+    steps.run("Find longitudes and latitudes", body)
+    bands = bands_of(options, body.GetOutput(), steps)
+    points = vtk_to_numpy(body.GetOutput().GetPointData().GetArray("Radius")) * METERS[options.unit]
+    with outputs.whole(options.output, files=[options.output], overwrite=options.overwrite) as path:
+        geotiff.write(path, bands, options.central_longitude, name_of(options.body), float(points.mean()), options.crs)
+    for warning in steps.warnings:
+        print(printable(warning))
+    missing = np.isnan(bands["radius"]).mean()
+    print(f"wrote {printable(options.output)}: {options.width} x {options.width // 2} pixels, heights "
+          f"{np.nanmin(bands['height']):.4g} to {np.nanmax(bands['height']):.4g} m, {100.0 * missing:.3g} % without values")
+    return 0
+
+
+def name_of(path):
+    """The file's name without its extension."""
+    return os.path.splitext(os.path.basename(path))[0]
+
+
+def mapped(path, steps):
+    """The surface in a file, with a map to the sphere."""
+    reader = scan_files.scan_reader(path)
+    steps.run(f"Read {name_of(path)}", reader)
+    surface = reader.GetOutput()
+    if surface.GetPointData().GetArray("SpherePosition"):
+        return surface
+    if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
+        raise ValueError(f"{path}: has no triangles; make a surface of its points first: conformalsom {path} -o body.ply")
+    conformal = vtkGlobalConformalMap()
+    conformal.SetInputData(surface)
+    conformal.SetAreaBalance(0.5)
+    steps.run("Map the body to the sphere", conformal)
+    return conformal.GetOutput()
+
+
+def bands_of(options, body, steps):
+    """Rows of pixels from the north for each band, in meters, degrees and square meters; NaN without a value."""
+    meters, data = METERS[options.unit], body.GetPointData()
+    values = np.column_stack([vtk_to_numpy(data.GetArray(name)) for name in ("Height", "Slope")])
+    array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+    array.SetName("HeightAndSlope")
+    data.AddArray(array)
+    chart = vtkBodyMapImage()
+    chart.SetInputData(body)
+    chart.SetArrayName("HeightAndSlope")
+    chart.SetCoordinates(chart.PLANETOCENTRIC if options.coordinates == "planetocentric" else chart.MAP)
+    chart.SetCentralLongitude(options.central_longitude)
+    chart.SetImageSize(options.width, options.width // 2)
+    chart.SetGraticuleSpacing(0.0)
+    chart.GeneratePositionsOn()
+    steps.run("Draw the map", chart)
+
+    def pixels(name):
+        array = vtk_to_numpy(chart.GetOutput().GetPointData().GetArray(name))
+        return array.reshape(options.width // 2, options.width, -1)[::-1]
+
+    outside = pixels("OutsideSurface")[..., 0] > 0
+    drawn = np.where(outside[..., None], np.nan, pixels("HeightAndSlope"))
+    positions = np.where(outside[..., None], np.nan, pixels("BodyPosition") * meters)
+    radius = np.linalg.norm(positions - np.multiply(options.center, meters), axis=-1)
+    bands = (drawn[..., 0] * meters, drawn[..., 1], radius, area_of_pixels(positions), *np.moveaxis(positions, -1, 0))
+    return dict(zip(BANDS, (band.astype(np.float32) for band in bands)))
+
+
+def area_of_pixels(positions):
+    """Area of the parallelogram between the neighbors of a pixel in its row and column."""
+    across = (np.roll(positions, -1, axis=1) - np.roll(positions, 1, axis=1)) / 2.0
+    return np.linalg.norm(np.cross(across, np.gradient(positions, axis=0)), axis=-1)
