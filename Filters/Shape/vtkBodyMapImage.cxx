@@ -128,6 +128,23 @@ conformal::PlanetocentricFrame PlanetocentricFrameOf(
   return result;
 }
 
+// Paint in planetocentric coordinates, whose frame the surface has, or without a surface in those
+// of the body's map to the sphere.
+void PaintMap(const conformal::MappedMesh& body, const conformal::MapImage& map,
+  const conformal::PixelSink& painter, vtkPolyData* surface,
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  if (surface)
+  {
+    conformal::paintPlanetocentricMap(
+      body, PlanetocentricFrameOf(surface, frame), map, painter, run);
+  }
+  else
+  {
+    conformal::paintMap(body, map, painter, run);
+  }
+}
+
 void RequireFinite(const conformal::MapImage& map, double spacing)
 {
   if (!std::isfinite(map.CentralLongitude) || !std::isfinite(spacing))
@@ -211,15 +228,7 @@ int vtkBodyMapImage::RequestData(
       conformal::Points positions(withPositions ? map.Grid.size() : 0, 3);
       const conformal::PixelSink painter =
         PositionPainter(glue::PixelPainter(values, pixels, holes), body.Positions, positions);
-      if (isPlanetocentric)
-      {
-        conformal::paintPlanetocentricMap(
-          body, PlanetocentricFrameOf(surface, frame), map, painter, steps.next());
-      }
-      else
-      {
-        conformal::paintMap(body, map, painter, steps.next());
-      }
+      PaintMap(body, map, painter, isPlanetocentric ? surface.Get() : nullptr, frame, steps.next());
       result->GetPointData()->AddArray(holes);
       AddMapMarks(result, map, spacing, steps.next());
       AddPositions(result, positions, frame);

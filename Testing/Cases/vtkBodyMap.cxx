@@ -91,7 +91,7 @@ Case BodyMap()
       f->SetPlacesData(BumpyMesh(1.0)); // degrees
     },
     { { "Height", 1 }, { "BodyNorthPole", 1 }, { "BodySouthPole", 1 }, { "BodyMarker", 1 },
-      { "ReferenceCenter", 1 }, { "ReferenceRadii", 1 } }) };
+      { "ReferenceCenter", 1 }, { "ReferenceRadii", 1 }, { "Radius", 1 }, { "BodyCenter", 1 } }) };
   all.Progress = { Run<F>(
     "two lobes", []() { return SurfacePointer(fixtures::TwoLobes(150).Get()); }) };
   all.Fuzz = Fuzz;

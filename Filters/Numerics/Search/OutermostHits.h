@@ -1,5 +1,5 @@
 /// Find the intersections of rays with a triangle mesh that are farthest from the origins of the
-/// rays.
+/// rays, by a tree of bounding boxes, \cite Ericson2005.
 
 #ifndef ConformalOutermostHits_h
 #define ConformalOutermostHits_h
