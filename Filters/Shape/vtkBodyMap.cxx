@@ -181,6 +181,15 @@ void AddPoles(vtkPolyData* output, const conformal::BodyCoordinates& coordinates
   AddPoint(output->GetFieldData(), "BodyMarker", coordinates.Marker, frame);
 }
 
+// Add what is known of positions: poles, marker and planetocentric coordinates.
+void AddPlaces(vtkPolyData* output, const conformal::Points& points,
+  const conformal::BodyCoordinates& coordinates, const conformal::BodyCoordinatesOptions& options,
+  const conformal::CoordinateFrame& frame)
+{
+  AddPoles(output, coordinates, frame);
+  AddPlanetocentric(output, points, options, frame);
+}
+
 // Move the optional places to their positions on the body.
 void SetPlaces(vtkPolyData* output, vtkPolyData* places, const conformal::MappedMesh& body,
   const conformal::CoordinateFrame& frame, const conformal::Run& run)
@@ -287,8 +296,7 @@ int vtkBodyMap::RequestData(
         result->GetPointData(), glue::SpherePositionName(), coordinates.SpherePositions);
       AddAngles(result->GetPointData(), coordinates.SpherePositions);
       AddRelief(result, body, isEllipsoid, frame);
-      AddPoles(result, coordinates, frame);
-      AddPlanetocentric(result, body.Positions, options, frame);
+      AddPlaces(result, body.Positions, coordinates, options, frame);
       const std::vector<conformal::GraticuleLine> lines =
         conformal::makeGraticule(body, spacing, steps.next());
       SetPlaces(placed, places, body, frame, steps.next());

@@ -199,9 +199,8 @@ int vtkBodyMapImage::RequestData(
   const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const std::string arrayName = this->ArrayName;
-  conformal::MapImage map;
-  map.Projection = static_cast<conformal::MapProjection>(this->Projection);
-  map.CentralLongitude = this->CentralLongitude;
+  conformal::MapImage map{ static_cast<conformal::MapProjection>(this->Projection),
+    this->CentralLongitude, {} };
   const double spacing = this->GraticuleSpacing >= 1.0 ? this->GraticuleSpacing : 0.0;
   const bool withPositions = this->GeneratePositions;
   const bool isPlanetocentric = this->Coordinates == PLANETOCENTRIC;
@@ -220,8 +219,7 @@ int vtkBodyMapImage::RequestData(
         glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
       map.Grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
       const auto holes = glue::MakeHoles(result);
-      // Relative costs of reading, map and graticule.
-      conformal::Steps steps(glue::RunOf(this), { 0.02, 0.7, 0.28 });
+      conformal::Steps steps(glue::RunOf(this), { 0.02, 0.7, 0.28 }); // reading, map, graticule
       steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh body = glue::CopyMapped(surface, frame);
