@@ -11,7 +11,7 @@ fi
 install()
 {
   bash CMake/install-packages.sh cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy \
-    libeigen3-dev libexpat1-dev zlib1g-dev libgtest-dev libbenchmark-dev libboost-dev assimp-utils \
+    libeigen3-dev libexpat1-dev zlib1g-dev libmeshoptimizer-dev libgtest-dev libbenchmark-dev libboost-dev assimp-utils \
     connectome-workbench mypy libjs-three chromium f3d \
     xvfb xauth libgl1-mesa-dri openmpi-bin "$@"
   if apt-cache show python3-pyvista >/dev/null 2>&1; then # Debian has it since 13

@@ -112,6 +112,9 @@ def arguments(argv):
                         help="number of points of the surface in each written file, within 2 percent, in [500, "
                              "10000002]. Points that are duplicated where a picture is cut are counted, too; "
                              "by default, each triangle of the learned mesh is divided until there are 64002 or more")
+    parser.add_argument("--compress", action="store_true",
+                        help="write small .glb files: points and triangles by the extensions KHR_mesh_quantization and "
+                             "EXT_meshopt_compression of glTF, and pictures as JPEG")
     parser.add_argument("--measure", action="store_true",
                         help="measure distances to the scan and distortion of the map, and print a table")
     parser.add_argument("--report", metavar="FILE", help="write figures, times and warnings as JSON; with - to the standard output, "

@@ -143,6 +143,10 @@ def make_surface(task, texture, options, steps):
         if isinstance(writer, vtkTexturedSurfaceWriter):
             writer.SetInputConnection(0, cut.GetOutputPort())
             writer.SetInputConnection(1, picture.GetOutputPort())
+            if options.compress and outputs.extension_of(path) == ".glb" and not outputs.compress(writer):
+                steps.warnings.append("--compress: this build lacks the library meshoptimizer, so that the files are "
+                                      "only quantized")
+                steps.ended("Compress", steps.warnings[-1:])
         elif isinstance(writer, vtkSurfacePageWriter):
             writer.SetInputConnection(0, cut.GetOutputPort())
             if texture is not None:
