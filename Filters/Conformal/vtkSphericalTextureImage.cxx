@@ -79,6 +79,13 @@ vtkSmartPointer<vtkDataArray> OwnPart(
   return own;
 }
 
+vtkSmartPointer<vtkDataArray> ValuesOf(
+  vtkPointSet* source, const std::string& name, glue::Processes& processes)
+{
+  return processes.size() > 1 ? OwnPart(source, name, processes)
+                              : vtkSmartPointer<vtkDataArray>(glue::ArrayToBake(source, name));
+}
+
 // Combine the pixels of all processes on each process. A pixel was painted only by the process that
 // has the closest point.
 void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conformal::Reduce& reduce)
@@ -323,9 +330,7 @@ int vtkSphericalTextureImage::RequestData(
       }
       const bool isShared = processes.size() > 1;
       vtkPointSet* valued = source ? source.Get() : surface.Get();
-      const vtkSmartPointer<vtkDataArray> values = isShared
-        ? OwnPart(source, arrayName, processes)
-        : vtkSmartPointer<vtkDataArray>(glue::ArrayToBake(valued, arrayName));
+      const auto values = ValuesOf(valued, arrayName, processes);
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels =
         glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
@@ -338,17 +343,10 @@ int vtkSphericalTextureImage::RequestData(
       const ImageOfSurface read =
         processes.rank() == owner ? ReadImage(surface, frame) : ImageOfSurface();
       const conformal::PixelGrid grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
-      if (averages)
-      {
-        const AveragedSource all = GatherSource(valued, values, frame,
-          isShared ? processes.reduce() : conformal::Reduce());
-        PaintAverages(read, all, pixels, holes, grid, steps.next());
-      }
-      else
-      {
-        Paint(read, source, frame, grid, glue::PixelPainter(values, pixels, holes),
-          processes.reduce(), steps.next());
-      }
+      averages ? PaintAverages(read, GatherSource(valued, values, frame, processes.reduce()), pixels,
+                   holes, grid, steps.next())
+               : Paint(read, source, frame, grid, glue::PixelPainter(values, pixels, holes),
+                   processes.reduce(), steps.next());
       if (isShared)
       {
         SumPixels(pixels, holes, processes.reduce());

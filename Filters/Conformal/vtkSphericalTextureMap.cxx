@@ -181,6 +181,26 @@ vtkSmartPointer<vtkPolyData> Balanced(vtkObject* self, vtkPolyData* input, doubl
   return surface;
 }
 
+void AddBalance(vtkPolyData* output, double areaBalance)
+{
+  const bool isBalanced = output->GetPointData()->HasArray(glue::TexturePositionName());
+  glue::AddNumber(
+    output->GetFieldData(), glue::TextureAreaBalanceName(), isBalanced ? areaBalance : 0.0);
+}
+
+void AddGeometry(vtkPolyData* output, vtkPolyData* input, const conformal::SphericalTexture& texture,
+  const std::vector<vtkIdType>& cellIds, bool isSplit)
+{
+  if (!isSplit)
+  {
+    output->ShallowCopy(input);
+    return;
+  }
+  AddSplitPoints(output, input, texture.AddedPlaces);
+  AddSplitTriangles(output, input, texture, cellIds);
+  output->GetFieldData()->ShallowCopy(input->GetFieldData());
+}
+
 conformal::SphericalTextureOptions OptionsOf(vtkSphericalTextureMap* self)
 {
   conformal::SphericalTextureOptions options;
@@ -232,21 +252,10 @@ int vtkSphericalTextureMap::RequestData(
       const conformal::SphericalTexture texture = conformal::makeSphericalTexture(
         glue::ViewPoints(input->GetPoints(), frame, copy), triangles, map, options, steps.next());
       steps.next();
-      if (options.SplitSeam)
-      {
-        AddSplitPoints(output, input, texture.AddedPlaces);
-        AddSplitTriangles(output, input, texture, cellIds);
-        output->GetFieldData()->ShallowCopy(input->GetFieldData());
-      }
-      else
-      {
-        output->ShallowCopy(input);
-      }
+      AddGeometry(output, input, texture, cellIds, options.SplitSeam);
       AddTextureArrays(output, texture);
       glue::AddSphereImage(output->GetFieldData(), texture.Image);
-      const bool isBalanced = input->GetPointData()->HasArray(glue::TexturePositionName());
-      glue::AddNumber(output->GetFieldData(), glue::TextureAreaBalanceName(),
-        isBalanced ? areaBalance : 0.0);
+      AddBalance(output, areaBalance);
     });
 }
 

@@ -5,7 +5,7 @@
 #ifndef ConformalVertexPacking_h
 #define ConformalVertexPacking_h
 
-#include "Textured/TexturedSurface.h"
+#include "Textured/TexturedMesh.h"
 
 #include <array>
 #include <cstdint>
