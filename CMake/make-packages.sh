@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 bash CMake/install-packages.sh cmake ninja-build g++ dpkg-dev file libvtk9-dev python3-vtk9 \
-  libeigen3-dev libexpat1-dev zlib1g-dev paraview paraview-dev libqt5svg5
+  libeigen3-dev libexpat1-dev zlib1g-dev libmeshoptimizer-dev paraview paraview-dev libqt5svg5
 bash CMake/make-paraview-prefix.sh build/paraview-prefix
 rm -rf build/package/packages
 for preset in package-paraview package; do

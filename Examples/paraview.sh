@@ -8,7 +8,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # libvtk9-dev brings headers of other libraries that paraview-dev wants and does not ask for.
 bash "$root/CMake/install-packages.sh" cmake ninja-build g++ libvtk9-dev libeigen3-dev \
-  libexpat1-dev zlib1g-dev paraview paraview-dev libqt5svg5
+  libexpat1-dev zlib1g-dev libmeshoptimizer-dev paraview paraview-dev libqt5svg5
 bash "$root/CMake/make-paraview-prefix.sh" "$root/build/paraview-prefix"
 
 log=$root/build/paraview/build.log

@@ -9,7 +9,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 bash "$root/CMake/install-packages.sh" cmake ninja-build g++ libvtk9-dev python3-vtk9 \
-  python3-numpy libeigen3-dev libexpat1-dev zlib1g-dev libjs-three xvfb xauth libgl1-mesa-dri
+  python3-numpy libeigen3-dev libexpat1-dev zlib1g-dev libmeshoptimizer-dev libjs-three xvfb xauth libgl1-mesa-dri
 
 log=$root/build/release/build.log
 mkdir -p "$(dirname "$log")"

@@ -121,6 +121,11 @@ conformal::SphereDensity WithDetails(
   layout.Projection = conformal::SphereProjection::LongitudeLatitude;
   if (surface->GetFieldData()->HasArray("TextureProjection"))
   {
+    if (surface->GetPointData()->HasArray(glue::TexturePositionName()))
+    {
+      throw std::invalid_argument("Density Image needs a picture that vtkSphericalTextureMap placed "
+                                  "with AreaBalance 0");
+    }
     layout = glue::ToSphereImage(surface->GetFieldData());
   }
   return conformal::withDetails(

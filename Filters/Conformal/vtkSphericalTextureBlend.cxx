@@ -180,7 +180,7 @@ int vtkSphericalTextureBlend::RequestData(
         ViewPoints(surface->GetPoints(), FrameOf({ surface }), copy);
       const conformal::Triangles triangles = ToTriangles(surface);
       pictures.Back.View = conformal::chooseSphereView(
-        points, triangles, ToSpherePositions(surface), backView, steps.next());
+        points, triangles, ToTexturePositions(surface), backView, steps.next());
       pictures.FrontGrid = GridOf(front);
       pictures.BackGrid = GridOf(back);
       conformal::blendPictures(pictures, image, GridOf(result),

@@ -1,11 +1,13 @@
 #include "vtkSphericalTextureImage.h"
 
+#include "Base/AcrossProcesses.h"
 #include "Base/Steps.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
 #include "Glue/Run.h"
 #include "Glue/SphereImages.h"
+#include "Texture/AveragedTexture.h"
 #include "Texture/SphericalTextureImage.h"
 
 #include "vtkImageData.h"
@@ -20,6 +22,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <sstream>
@@ -76,6 +79,13 @@ vtkSmartPointer<vtkDataArray> OwnPart(
   return own;
 }
 
+vtkSmartPointer<vtkDataArray> ValuesOf(
+  vtkPointSet* source, const std::string& name, glue::Processes& processes)
+{
+  return processes.size() > 1 ? OwnPart(source, name, processes)
+                              : vtkSmartPointer<vtkDataArray>(glue::ArrayToBake(source, name));
+}
+
 // Combine the pixels of all processes on each process. A pixel was painted only by the process that
 // has the closest point.
 void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conformal::Reduce& reduce)
@@ -126,9 +136,73 @@ ImageOfSurface ReadImage(vtkPolyData* surface, const conformal::CoordinateFrame&
 {
   ImageOfSurface read;
   read.Mesh = { { glue::ToPoints(surface->GetPoints(), frame), glue::ToTriangles(surface) },
-    glue::ToSpherePositions(surface) };
+    glue::ToTexturePositions(surface) };
   read.Image = glue::ToSphereImage(surface->GetFieldData());
   return read;
+}
+
+// Source of averages: the points, triangles and values of all processes.
+struct AveragedSource
+{
+  conformal::Points Positions;
+  conformal::Triangles Triangles;
+  std::vector<double> Values;
+  int NumberOfComponents = 1;
+};
+
+AveragedSource GatherSource(vtkPointSet* source, vtkDataArray* values,
+  const conformal::CoordinateFrame& frame, const conformal::Reduce& reduce)
+{
+  AveragedSource all;
+  const conformal::Points own = glue::ToPoints(source->GetPoints(), frame);
+  auto* surface = vtkPolyData::SafeDownCast(source);
+  all.Triangles = conformal::gatherTriangles(
+    reduce, surface ? glue::ToTriangles(surface) : conformal::Triangles(0, 3), own.rows());
+  all.Positions = conformal::gatherRows(reduce, own);
+  all.NumberOfComponents = values->GetNumberOfComponents();
+  all.Values.resize(values->GetNumberOfValues());
+  for (std::size_t i = 0; i < all.Values.size(); ++i)
+  {
+    all.Values[i] = values->GetComponent(static_cast<vtkIdType>(i) / all.NumberOfComponents,
+      static_cast<int>(i % all.NumberOfComponents));
+  }
+  if (reduce.NumberOfRanks > 1)
+  {
+    all.Values = conformal::gather(reduce, all.Values);
+  }
+  return all;
+}
+
+// Paint the means of the source's values. Processes without the surface paint nothing.
+void PaintAverages(const ImageOfSurface& read, const AveragedSource& source, vtkDataArray* pixels,
+  vtkUnsignedCharArray* holes, const conformal::PixelGrid& grid, const conformal::Run& run)
+{
+  if (read.Mesh.Triangles.rows() == 0)
+  {
+    holes->FillValue(1);
+    return;
+  }
+  const bool isWhole = glue::HoldsWholeNumbers(pixels);
+  const conformal::MixtureSink sink =
+    [&](conformal::Index first, const std::vector<conformal::PointMixture>& mixtures)
+  {
+    for (std::size_t i = 0; i < mixtures.size(); ++i)
+    {
+      const vtkIdType pixel = first + static_cast<vtkIdType>(i);
+      holes->SetValue(pixel, mixtures[i].empty());
+      for (int c = 0; c < source.NumberOfComponents; ++c)
+      {
+        double sum = 0.0;
+        for (const auto& [id, weight] : mixtures[i])
+        {
+          sum += weight * source.Values[std::size_t(id) * source.NumberOfComponents + c];
+        }
+        pixels->SetComponent(pixel, c, isWhole ? std::round(sum) : sum);
+      }
+    }
+  };
+  conformal::averageSphericalTexture(
+    read.Mesh, source.Positions, source.Triangles, read.Image, grid, sink, run);
 }
 
 // Paint the values of the source. If there is no source, paint the values of the surface.
@@ -175,6 +249,38 @@ void vtkSphericalTextureImage::SetSourceData(vtkPointSet* source)
 }
 
 //------------------------------------------------------------------------------
+void vtkSphericalTextureImage::FitImageSize(double pixelsPerPoint)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    if (this->GetNumberOfInputConnections(port) > 0)
+    {
+      this->GetInputAlgorithm(port, 0)->Update();
+    }
+  }
+  auto* surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+  auto* source = this->GetNumberOfInputConnections(1) > 0
+    ? vtkPointSet::SafeDownCast(this->GetInputDataObject(1, 0))
+    : surface;
+  glue::RunRequest(this,
+    [&]()
+    {
+      if (!surface || !source)
+      {
+        throw std::invalid_argument("there is no surface or no source");
+      }
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface, source });
+      const ImageOfSurface read = ReadImage(surface, frame);
+      const conformal::Points points = glue::ToPoints(source->GetPoints(), frame);
+      const conformal::Index height = conformal::imageHeightFor(
+        read.Mesh, points, read.Image, pixelsPerPoint, glue::RunOf(this));
+      const auto width = static_cast<int>(
+        std::lround(std::min(16384.0, double(height) * conformal::widthPerHeight(read.Image))));
+      this->SetImageSize(std::max(width, 1), static_cast<int>(height));
+    });
+}
+
+//------------------------------------------------------------------------------
 int vtkSphericalTextureImage::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
@@ -212,6 +318,7 @@ int vtkSphericalTextureImage::RequestData(
   const auto source = glue::Held(vtkPointSet::GetData(inputVector[1]));
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const std::string arrayName = this->ArrayName;
+  const bool averages = this->Sampling == AVERAGE;
   return glue::RunCore(this, source ? this->Controller : nullptr,
     [&](glue::Processes& processes)
     {
@@ -223,9 +330,7 @@ int vtkSphericalTextureImage::RequestData(
       }
       const bool isShared = processes.size() > 1;
       vtkPointSet* valued = source ? source.Get() : surface.Get();
-      const vtkSmartPointer<vtkDataArray> values = isShared
-        ? OwnPart(source, arrayName, processes)
-        : vtkSmartPointer<vtkDataArray>(glue::ArrayToBake(valued, arrayName));
+      const auto values = ValuesOf(valued, arrayName, processes);
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels =
         glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
@@ -238,8 +343,10 @@ int vtkSphericalTextureImage::RequestData(
       const ImageOfSurface read =
         processes.rank() == owner ? ReadImage(surface, frame) : ImageOfSurface();
       const conformal::PixelGrid grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
-      Paint(read, source, frame, grid, glue::PixelPainter(values, pixels, holes),
-        processes.reduce(), steps.next());
+      averages ? PaintAverages(read, GatherSource(valued, values, frame, processes.reduce()), pixels,
+                   holes, grid, steps.next())
+               : Paint(read, source, frame, grid, glue::PixelPainter(values, pixels, holes),
+                   processes.reduce(), steps.next());
       if (isShared)
       {
         SumPixels(pixels, holes, processes.reduce());
@@ -253,6 +360,8 @@ int vtkSphericalTextureImage::RequestData(
 void vtkSphericalTextureImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  static const char* const samplings[] = { "Closest", "Average" };
+  os << indent << "Sampling: " << samplings[this->Sampling] << "\n";
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "ImageSize: (" << this->ImageSize[0] << ", " << this->ImageSize[1] << ")\n";
   os << indent << "Controller: " << this->Controller << "\n";

@@ -14,8 +14,8 @@
  * Polygons and strips are treated as triangles.
  *
  * Input port 1, optional: vtkPointSet, the source of the values. Without this input, the values are
- * those of the surface. Each pixel shows a point of the surface. The pixel gets the value of the
- * source at the position closest to this point. If the source is a vtkPolyData with triangles, this
+ * those of the surface. Each pixel shows a point of the surface. By default, the pixel gets the
+ * value of the source at the position closest to this point; see Sampling. If the source is a vtkPolyData with triangles, this
  * position is on the triangles. Otherwise, it is one of the source's points. The image can thus
  * show all colors of a scan, even if the mesh has far fewer points than the scan.
  *
@@ -95,6 +95,41 @@ public:
   vtkGetMacro(ArrayName, std::string);
   ///@}
 
+  /**
+   * Methods to compute the value of a pixel.
+   */
+  enum Samplings
+  {
+    CLOSEST = 0,
+    AVERAGE = 1
+  };
+
+  ///@{
+  /**
+   * Method to compute the value of a pixel. CLOSEST (default): the value of the source at the
+   * position closest to the point that the middle of the pixel shows. Values of points without
+   * triangles, such as labels, are not mixed. AVERAGE: the mean of the source's values in the part
+   * of the surface that the pixel shows, with weights that decrease smoothly from the middle. Where
+   * the source has few points, the mean includes points beyond the pixel, so that gaps are filled
+   * smoothly. Use AVERAGE for colors and measurements.
+   *
+   * With AVERAGE and several processes, the source is copied to all processes.
+   */
+  vtkSetClampMacro(Sampling, int, CLOSEST, AVERAGE);
+  vtkGetMacro(Sampling, int);
+  void SetSamplingToClosest() { this->SetSampling(CLOSEST); }
+  void SetSamplingToAverage() { this->SetSampling(AVERAGE); }
+  ///@}
+
+  /**
+   * Update the inputs, and set ImageSize to the size at which the image shows the details of the
+   * source. For 95 percent of the source's points, the image has at least pixelsPerPoint pixels for
+   * each point. Without a source, the points of the surface are used. The height is a multiple of 64
+   * in [64, 4096]. The density of the points is that on this process. An error is reported if the
+   * inputs are unsuitable; ImageSize does not change then.
+   */
+  void FitImageSize(double pixelsPerPoint = 4.0);
+
   ///@{
   /**
    * Width and height of the image in pixels. For square pixels, choose the ratio of width to height
@@ -123,6 +158,7 @@ private:
   void operator=(const vtkSphericalTextureImage&) = delete;
 
   std::string ArrayName;
+  int Sampling = CLOSEST;
   int ImageSize[2] = { 1024, 1024 };
   vtkMultiProcessController* Controller = nullptr;
 };

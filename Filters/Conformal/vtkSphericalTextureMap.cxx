@@ -1,10 +1,13 @@
 #include "vtkSphericalTextureMap.h"
 
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
+#include "Glue/Arrays.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
 #include "Glue/SphereImages.h"
+#include "SphereMap/BalancedPositions.h"
 #include "Texture/SphericalTexture.h"
 
 #include "vtkCellArray.h"
@@ -19,10 +22,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <exception>
 #include <numeric>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkSphericalTextureMap);
 
@@ -102,6 +108,7 @@ void AddSplitPoints(
     }
   }
   Normalize(data->GetArray(glue::SpherePositionName()), kept);
+  Normalize(data->GetArray(glue::TexturePositionName()), kept);
   Normalize(data->GetNormals(), kept);
   output->SetPoints(points);
   data->AddArray(originalIds);
@@ -129,6 +136,71 @@ void AddSplitTriangles(vtkPolyData* output, vtkPolyData* input,
   output->GetCellData()->AddArray(originalIds);
 }
 
+// Return whether the surface has texture positions that were computed by this balance.
+bool IsBalanced(vtkPolyData* surface, double areaBalance)
+{
+  vtkDataArray* balance = surface->GetFieldData()->GetArray(glue::TextureAreaBalanceName());
+  return surface->GetPointData()->HasArray(glue::TexturePositionName()) && balance &&
+    balance->GetNumberOfValues() == 1 && balance->GetComponent(0, 0) == areaBalance;
+}
+
+// Return the input with the texture positions for the balance, or without any if the balance is 0.
+vtkSmartPointer<vtkPolyData> Balanced(vtkObject* self, vtkPolyData* input, double areaBalance,
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->ShallowCopy(input);
+  if (areaBalance > 0.0 && IsBalanced(input, areaBalance))
+  {
+    return surface;
+  }
+  surface->GetPointData()->RemoveArray(glue::TexturePositionName());
+  if (areaBalance > 0.0)
+  {
+    const conformal::MappedMesh mesh = glue::CopyMapped(input, frame);
+    const auto warn = [&](const std::exception& error)
+    {
+      vtkWarningWithObjectMacro(
+        self, << "AreaBalance is not used, because the map cannot be balanced: " << error.what());
+    };
+    try
+    {
+      glue::AddVectors(surface->GetPointData(), glue::TexturePositionName(),
+        conformal::balancedPositions(mesh, areaBalance, run));
+      return surface;
+    }
+    catch (const std::invalid_argument& error)
+    {
+      warn(error);
+    }
+    catch (const conformal::NumericalFailure& error)
+    {
+      warn(error);
+    }
+  }
+  return surface;
+}
+
+void AddBalance(vtkPolyData* output, double areaBalance)
+{
+  const bool isBalanced = output->GetPointData()->HasArray(glue::TexturePositionName());
+  glue::AddNumber(
+    output->GetFieldData(), glue::TextureAreaBalanceName(), isBalanced ? areaBalance : 0.0);
+}
+
+void AddGeometry(vtkPolyData* output, vtkPolyData* input, const conformal::SphericalTexture& texture,
+  const std::vector<vtkIdType>& cellIds, bool isSplit)
+{
+  if (!isSplit)
+  {
+    output->ShallowCopy(input);
+    return;
+  }
+  AddSplitPoints(output, input, texture.AddedPlaces);
+  AddSplitTriangles(output, input, texture, cellIds);
+  output->GetFieldData()->ShallowCopy(input->GetFieldData());
+}
+
 conformal::SphericalTextureOptions OptionsOf(vtkSphericalTextureMap* self)
 {
   conformal::SphericalTextureOptions options;
@@ -150,42 +222,40 @@ conformal::SphericalTextureOptions OptionsOf(vtkSphericalTextureMap* self)
 int vtkSphericalTextureMap::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto input = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto unbalanced = glue::Held(vtkPolyData::GetData(inputVector[0]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   conformal::SphericalTextureOptions options = OptionsOf(this);
   const conformal::Vector3 viewPoint(this->ViewPoint);
+  const double areaBalance = this->AreaBalance;
   return glue::RunCore(this,
     [&]()
     {
-      if (glue::IsEmptyInput(this, input, "the surface is empty; there are no texture coordinates"))
+      if (glue::IsEmptyInput(
+            this, unbalanced, "the surface is empty; there are no texture coordinates"))
       {
         return;
       }
-      const conformal::CoordinateFrame frame = glue::FrameOf({ input });
+      const conformal::CoordinateFrame frame = glue::FrameOf({ unbalanced });
       options.ViewPoint = frame.toFrameFromAfar(viewPoint);
-      // Relative costs of the steps, all proportional to the number of vertices.
-      conformal::Steps steps(glue::RunOf(this), { 0.1, 0.05, 0.7, 0.15 });
+      // Relative costs of the balance, and of the steps that are proportional to the number of
+      // vertices.
+      conformal::Steps steps(
+        glue::RunOf(this), { areaBalance > 0.0 ? 2.0 : 0.0, 0.1, 0.05, 0.7, 0.15 });
+      const vtkSmartPointer<vtkPolyData> input =
+        Balanced(this, unbalanced, areaBalance, frame, steps.next());
       steps.next();
       conformal::Points copy;
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = glue::ToTriangles(input, cellIds);
       steps.next();
-      const conformal::Points map = glue::ToSpherePositions(input);
+      const conformal::Points map = glue::ToTexturePositions(input);
       const conformal::SphericalTexture texture = conformal::makeSphericalTexture(
         glue::ViewPoints(input->GetPoints(), frame, copy), triangles, map, options, steps.next());
       steps.next();
-      if (options.SplitSeam)
-      {
-        AddSplitPoints(output, input, texture.AddedPlaces);
-        AddSplitTriangles(output, input, texture, cellIds);
-        output->GetFieldData()->ShallowCopy(input->GetFieldData());
-      }
-      else
-      {
-        output->ShallowCopy(input);
-      }
+      AddGeometry(output, input, texture, cellIds, options.SplitSeam);
       AddTextureArrays(output, texture);
       glue::AddSphereImage(output->GetFieldData(), texture.Image);
+      AddBalance(output, areaBalance);
     });
 }
 
@@ -216,4 +286,5 @@ void vtkSphericalTextureMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Wrap: " << wraps[this->Wrap] << "\n";
   os << indent << "SplitSeam: " << (this->SplitSeam ? "On" : "Off") << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
+  os << indent << "AreaBalance: " << this->AreaBalance << "\n";
 }

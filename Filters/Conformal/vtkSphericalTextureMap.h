@@ -16,6 +16,10 @@
  *   All values are finite. They are in [0, 1] unless Wrap is REPEAT.
  * - "OutsideImage" (unsigned char, 1 component): 1 for points outside of the image, otherwise 0.
  *
+ * If AreaBalance is above 0, the output also has
+ * - point array "TexturePosition" (double, 3 components): position of the point on the unit sphere
+ *   by which the picture is placed. "SpherePosition" does not change.
+ *
  * If SplitSeam is on, the output also has
  * - point array "OriginalPointIds" (vtkIdType, 1 component): id of the input's point, or -1 for a
  *   point where an edge was cut. Points of the input are first, in the sequence of the input.
@@ -27,9 +31,9 @@
  * - "SpherePole" (double, 3 components, unit vector): position of the image's middle on the sphere.
  * - "SphereUp", "SphereRight" (double, 3 components, unit vectors): tangent directions of the
  *   sphere at SpherePole, towards the top and towards the right edge of the image.
- * - "TextureProjection" (vtkIdType, 1 component), "TextureFieldOfView", "TextureMargin" (double, 1
- *   component) and "TextureScale" (double, 2 components): values of the properties Projection,
- *   FieldOfView, Margin and Scale.
+ * - "TextureProjection" (vtkIdType, 1 component), "TextureFieldOfView", "TextureMargin",
+ *   "TextureAreaBalance" (double, 1 component) and "TextureScale" (double, 2 components): values of
+ *   the properties Projection, FieldOfView, Margin, AreaBalance and Scale.
  *
  * The pole is the point of the sphere at the middle of the image. A view of the model determines
  * the pole. Stereographic projection maps the image to the sphere. The inverse of the surface's map
@@ -125,6 +129,23 @@ public:
   void SetProjectionToLongitudeLatitude() { this->SetProjection(LONGITUDE_LATITUDE); }
   void SetProjectionToOctahedral() { this->SetProjection(OCTAHEDRAL); }
   void SetProjectionToCubeMap() { this->SetProjection(CUBE_MAP); }
+  ///@}
+
+  ///@{
+  /**
+   * Trade-off of the picture between angles (0) and areas (1). With 0 (default), the picture is
+   * placed by "SpherePosition". If that map is conformal, the picture is not distorted, but long
+   * parts of the surface get few pixels. With a larger value, the picture is placed by another map
+   * of the surface, "TexturePosition", in which the pixels are distributed more evenly. With 0.5,
+   * areas and angles are distorted moderately. In [0, 1].
+   *
+   * The map is computed as by vtkGlobalConformalMap, on about 8,000 samples of the surface. If the
+   * input has the array "TexturePosition" of another vtkSphericalTextureMap with the same
+   * AreaBalance, the array is used again. If "SpherePosition" does not cover the sphere exactly
+   * once, there is a warning, and the picture is placed by "SpherePosition".
+   */
+  vtkSetClampMacro(AreaBalance, double, 0.0, 1.0);
+  vtkGetMacro(AreaBalance, double);
   ///@}
 
   ///@{
@@ -228,6 +249,7 @@ private:
   int Wrap = CLAMP;
   bool SplitSeam = false;
   double Margin = 0.0;
+  double AreaBalance = 0.0;
 };
 
 #endif

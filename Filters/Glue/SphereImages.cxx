@@ -1,6 +1,7 @@
 #include "Glue/SphereImages.h"
 
 #include "Glue/Arrays.h"
+#include "Glue/Points.h"
 #include "Texture/SphericalTexture.h"
 
 #include "vtkDataArray.h"
@@ -11,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
@@ -111,6 +113,24 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
   }
   image.Margin = NumberIn(data, "TextureMargin", 0.0, conformal::MaximumMargin);
   return image;
+}
+
+//------------------------------------------------------------------------------
+conformal::Points ToTexturePositions(vtkPolyData* surface)
+{
+  vtkDataArray* array = surface->GetPointData()->GetArray(TexturePositionName());
+  if (!array)
+  {
+    return ToSpherePositions(surface);
+  }
+  conformal::Points positions;
+  if (!ToVectors(array, positions) || conformal::normalizeRows(positions) > 0)
+  {
+    throw std::invalid_argument(
+      "TexturePosition must have 3 components, and no vector that is zero or not finite; run "
+      "vtkSphericalTextureMap again");
+  }
+  return positions;
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@ class vtkFieldData;
 class vtkImageData;
 class vtkInformation;
 class vtkPointSet;
+class vtkPolyData;
 class vtkUnsignedCharArray;
 
 namespace glue
@@ -28,6 +29,26 @@ void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image);
 /// Read the parameters of an image's projection from field data that AddSphereImage() wrote.
 /// @throws std::invalid_argument if an array is missing or invalid
 conformal::SphereImage ToSphereImage(vtkFieldData* data);
+
+/// Name of the point array of the sphere positions by which vtkSphericalTextureMap places a picture,
+/// if they differ from "SpherePosition".
+inline const char* TexturePositionName()
+{
+  return "TexturePosition";
+}
+
+/// Name of the field data with the AreaBalance by which the array "TexturePosition" was computed.
+inline const char* TextureAreaBalanceName()
+{
+  return "TextureAreaBalance";
+}
+
+/// Return the sphere positions by which a picture is placed on a surface: a copy of the point array
+/// "TexturePosition", or, without this array, of "SpherePosition". The copied vectors are normalized
+/// to unit length.
+/// @throws std::invalid_argument if the array is missing or does not have 3 components, or if a
+///   vector is zero or not finite
+conformal::Points ToTexturePositions(vtkPolyData* surface);
 
 /// Set the extent, origin and spacing of an image in the pipeline information. The image fills the
 /// unit square. The center of each pixel is at its texture coordinates (s, t).

@@ -3,6 +3,7 @@
 #include "Glue/FileErrors.h"
 #include "Glue/SurfaceConversions.h"
 #include "Textured/TexturedSurface.h"
+#include "Textured/VertexPacking.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
@@ -10,6 +11,7 @@
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkJPEGWriter.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPNGWriter.h"
@@ -112,17 +114,36 @@ conformal::TexturedSurface ToTexturedSurface(vtkPolyData* input)
   return result;
 }
 
-std::string ToPNG(vtkImageData* texture)
+template <typename Writer>
+std::string ToPicture(Writer* writer, vtkImageData* texture)
 {
-  PixelsOf(texture);
-  vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(texture);
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  Require(bytes && bytes->GetNumberOfValues() > 0, "the texture cannot be written as PNG");
+  Require(bytes && bytes->GetNumberOfValues() > 0, "the texture cannot be written");
   return { reinterpret_cast<const char*>(bytes->GetPointer(0)),
     static_cast<std::size_t>(bytes->GetNumberOfValues()) };
+}
+
+std::string ToPNG(vtkImageData* texture)
+{
+  PixelsOf(texture);
+  const vtkNew<vtkPNGWriter> writer;
+  return ToPicture(writer.Get(), texture);
+}
+
+std::string ToJPEG(vtkImageData* texture)
+{
+  constexpr int quality = 85;
+  if (PixelsOf(texture)->GetNumberOfComponents() == 4)
+  {
+    return ToPNG(texture);
+  }
+  const vtkNew<vtkJPEGWriter> writer;
+  writer->SetQuality(quality);
+  writer->ProgressiveOff();
+  return ToPicture(writer.Get(), texture);
 }
 
 std::string LowerCaseExtension(const std::filesystem::path& path)
@@ -155,6 +176,12 @@ void vtkTexturedSurfaceWriter::SetTextureData(vtkImageData* picture)
 }
 
 //------------------------------------------------------------------------------
+bool vtkTexturedSurfaceWriter::GetHasMeshopt()
+{
+  return conformal::hasMeshopt();
+}
+
+//------------------------------------------------------------------------------
 int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
@@ -177,12 +204,18 @@ void vtkTexturedSurfaceWriter::WriteFiles(const conformal::Run& run)
   surface.RepeatsTexture = this->RepeatTexture;
   surface.Name = path.stem().u8string();
   surface.MetersPerUnit = this->MetersPerUnit;
-  const std::string png = ToPNG(vtkImageData::SafeDownCast(this->GetInput(1)));
+  auto* picture = vtkImageData::SafeDownCast(this->GetInput(1));
+  const bool isJPEG = extension == ".glb" && this->TextureFormat == JPEG;
+  const std::string png = isJPEG ? ToJPEG(picture) : ToPNG(picture);
   if (extension == ".glb")
   {
+    Require(this->Compression != MESHOPT || GetHasMeshopt(),
+      "Compression MESHOPT is not available, because this build has not found the library "
+      "meshoptimizer; use QUANTIZED");
     Require(std::isfinite(this->MetersPerUnit) && this->MetersPerUnit > 0.0,
       "MetersPerUnit is not a finite number above 0");
-    const std::string glb = conformal::makeGLB(surface, png, run);
+    const std::string glb = conformal::makeGLB(
+      surface, png, run, static_cast<conformal::GLBCompression>(this->Compression));
     this->WriteTogether({ { name, glb } });
     return;
   }
@@ -204,5 +237,8 @@ void vtkTexturedSurfaceWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RepeatTexture: " << (this->RepeatTexture ? "On" : "Off") << "\n";
+  static const char* const compressions[] = { "None", "Quantized", "Meshopt" };
   os << indent << "MetersPerUnit: " << this->MetersPerUnit << "\n";
+  os << indent << "Compression: " << compressions[this->Compression] << "\n";
+  os << indent << "TextureFormat: " << (this->TextureFormat == JPEG ? "JPEG" : "PNG") << "\n";
 }

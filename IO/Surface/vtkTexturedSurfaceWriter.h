@@ -21,7 +21,9 @@
  *   the surface's size, coordinates are written relative to the middle of the surface. The node
  *   (scene object) of the surface then has a translation to this middle. The node has the name of
  *   the file.
- * - ".obj": Wavefront OBJ with doubles. Two further files are written, a material (".mtl") and the
+ *   Compression and TextureFormat make this file smaller.
+ * - ".obj": Wavefront OBJ. Coordinates have as many digits as floats need, or doubles if rounding to
+ *   floats would shift points by more than 1e-5 of the surface's size. Two further files are written, a material (".mtl") and the
  *   texture (".png"). Their names are made from FileName by another extension.
  * - ".ply": binary PLY with doubles, and with the texture coordinates "texture_u" and "texture_v"
  *   of the vertices. The texture is a further file. Its name is FileName with the extension ".png".
@@ -81,6 +83,59 @@ public:
   vtkGetMacro(MetersPerUnit, double);
   ///@}
 
+  /**
+   * Compressions of points and triangles in glTF files.
+   */
+  enum Compressions
+  {
+    NONE = 0,
+    QUANTIZED = 1,
+    MESHOPT = 2
+  };
+
+  ///@{
+  /**
+   * Compression of points and triangles. Used only for glTF. NONE (default): floats, which every
+   * program reads. QUANTIZED: integers of 8 and 16 bits by the extension KHR_mesh_quantization; less
+   * than half the size. MESHOPT: integers that are compressed by the extension
+   * EXT_meshopt_compression, about a fifth of the size; positions are rounded to 1 / 16383 of the
+   * surface's size, and points and triangles are sorted. Programs without the extensions reject the
+   * file. If the build has not found the library meshoptimizer, MESHOPT is an error; see
+   * GetHasMeshopt().
+   */
+  vtkSetClampMacro(Compression, int, NONE, MESHOPT);
+  vtkGetMacro(Compression, int);
+  void SetCompressionToNone() { this->SetCompression(NONE); }
+  void SetCompressionToQuantized() { this->SetCompression(QUANTIZED); }
+  void SetCompressionToMeshopt() { this->SetCompression(MESHOPT); }
+  ///@}
+
+  /**
+   * Return whether this build has the library meshoptimizer, which Compression MESHOPT requires.
+   */
+  static bool GetHasMeshopt();
+
+  /**
+   * Formats of the picture in glTF files.
+   */
+  enum TextureFormats
+  {
+    PNG = 0,
+    JPEG = 1
+  };
+
+  ///@{
+  /**
+   * Format of the picture. Used only for glTF. PNG (default): without loss. JPEG: smaller for
+   * photographs and colors of scans, with the quality 85 of 100. A picture with opacity (RGBA) is
+   * always written as PNG.
+   */
+  vtkSetClampMacro(TextureFormat, int, PNG, JPEG);
+  vtkGetMacro(TextureFormat, int);
+  void SetTextureFormatToPNG() { this->SetTextureFormat(PNG); }
+  void SetTextureFormatToJPEG() { this->SetTextureFormat(JPEG); }
+  ///@}
+
 protected:
   vtkTexturedSurfaceWriter();
   ~vtkTexturedSurfaceWriter() override = default;
@@ -94,6 +149,8 @@ private:
 
   bool RepeatTexture = false;
   double MetersPerUnit = 1.0;
+  int Compression = NONE;
+  int TextureFormat = PNG;
 };
 
 #endif

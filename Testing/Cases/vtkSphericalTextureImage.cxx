@@ -72,7 +72,16 @@ Case SphericalTextureImage()
   Mode source = { "good source", { Variant(reads), Surface(BadPoints | BadIds, "source") },
     Set<F>([](F* f) { f->SetImageSize(24, 24); }) };
   source.MixesUnits = true;
-  all.Modes = { own, array, source };
+  Mode average = { "average", { Variant(reads), Surface(BadPoints | BadIds, "source") },
+    Set<F>(
+      [](F* f)
+      {
+        f->SetImageSize(24, 24);
+        f->SetSamplingToAverage();
+      }) };
+  average.MixesUnits = true;
+  average.Properties = { Integer("Sampling", &F::SetSampling) };
+  all.Modes = { own, array, source, average };
 
   all.Scaled = { Scaled<F>("Bakes", Bake) };
   for (const bool isCloud : { false, true })

@@ -26,6 +26,13 @@ Mode ViewMode(const char* name, const Port& port, const std::function<void(F*)>&
 
 std::vector<Mode> Modes()
 {
+  Mode balanced = ViewMode("balanced", Good(),
+    [](F* f)
+    {
+      f->SetAreaBalance(0.5);
+      f->SetProjectionToOctahedral();
+    });
+  balanced.Properties = { Number("AreaBalance", &F::SetAreaBalance) };
   const std::vector<Property> view = { Vector3("ViewDirection", &F::SetViewDirection),
     Vector3("ViewUp", &F::SetViewUp), Number("FieldOfView", &F::SetFieldOfView),
     Number("Rotation", &F::SetRotation), Vector2<F, double>("Scale", &F::SetScale),
@@ -84,6 +91,7 @@ std::vector<Mode> Modes()
     modes[i].Properties = view;
   }
   modes[5].ResultOfMap = "SphereUp";
+  modes.push_back(balanced);
   return modes;
 }
 

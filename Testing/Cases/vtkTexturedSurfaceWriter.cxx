@@ -24,6 +24,8 @@ Case TexturedSurfaceWriter()
     mode.Properties = { Switch("RepeatTexture", &F::SetRepeatTexture) };
   }
   all.Modes.front().Properties.push_back(Number("MetersPerUnit", &F::SetMetersPerUnit));
+  all.Modes.front().Properties.push_back(Integer("TextureFormat", &F::SetTextureFormat));
+  all.Modes.front().Properties.push_back(Integer("Compression", &F::SetCompression));
   return all;
 }
 }

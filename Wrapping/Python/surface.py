@@ -8,17 +8,20 @@ import numpy as np
 import numpy.typing as npt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from conformalsom import exports, pages, pickling
+from conformalsom.command import scan_colors
 from conformalsom.command.sizes import frequency_of
 from conformalsom.filters import updated
-from conformalsom.inputs import ImageLike, MeshLike, Path, image_of, point_set
+from conformalsom.inputs import ImageLike, MeshLike, Path, PointsLike, image_of, point_set
 from conformalsom.keywords import properties_of
 from conformalsom.reporting import Progress
 from conformalsom.running import run
 
 Array = npt.NDArray[typing.Any]
+AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
 
 
 class Harmonics(typing.NamedTuple):
@@ -140,12 +143,16 @@ class Surface:
             properties["frequency"] = frequency_of(number_of_points)
         return self._filtered("vtkCurvedSeamlessSurface", progress, properties)
 
-    @properties_of("vtkSphericalTextureMap")
-    def paint(self, image: ImageLike, *, progress: Progress = False, **properties: typing.Any) -> "Surface":
+    @properties_of("vtkSphericalTextureMap", without=("area_balance",))
+    def paint(self, image: ImageLike, *, area_balance: float = AREA_BALANCE, progress: Progress = False,
+              **properties: typing.Any) -> "Surface":
         """Lay a picture on the surface. Its middle faces view_direction, and its top view_up.
 
         image: a PNG or JPEG file of up to 2^28 pixels, or an array of rows x columns x 3 or 4 bytes, first row
         on top. A separate process decodes files.
+        area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5. With
+        0, the picture is laid by the surface's own map to the sphere. If that map is conformal, the picture is
+        not distorted, but long parts of the surface show few of its pixels.
         progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
         Raises FileNotFoundError if there is no such file, and ValueError if it is no picture or is broken. Example:
@@ -153,8 +160,43 @@ class Surface:
             surface.paint("photo.png", view_direction=(0, 0, 1)).save("figure.glb")
         """
         picture = image_of(image)
-        painted = self._filtered("vtkSphericalTextureMap", progress, properties)
-        painted._picture = picture, dict(properties)
+        placement = {**properties, "area_balance": area_balance}
+        painted = self._filtered("vtkSphericalTextureMap", progress, placement)
+        painted._picture = picture, placement
+        return painted
+
+    def bake(self, scan: PointsLike, *, colors: typing.Optional[npt.ArrayLike] = None,
+             texture_size: typing.Optional[int] = None, area_balance: float = AREA_BALANCE,
+             progress: Progress = False) -> "Surface":
+        """Paint the surface with the colors of a scan, averaged over each pixel of the picture.
+
+        scan: points with colors: a file, a vtkPointSet, or any input of learn().
+        colors: red, green and blue of the points, n x 3 bytes in [0, 255]; default is the scan's own colors.
+        texture_size: width and height of the picture in pixels, in [1, 16384]; by default, the density of the
+        scan's points determines it, up to 4096.
+        area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5.
+        progress: True for a bar, or a function that gets the completed fraction in [0, 1].
+
+        Raises ValueError if there are no colors, or not as many as points, and FilterFailed if the surface has no
+        valid map to the sphere. Example:
+
+            surface.bake("scan.ply").save("figure.glb")
+        """
+        points = point_set(scan)
+        found = scan_colors.colors_of(points) if colors is None else colors_in(colors, points.GetNumberOfPoints())
+        if found is None:
+            raise ValueError("the scan has no colors: pass an array of n x 3 bytes as colors")
+        if texture_size is not None and not 1 <= texture_size <= 16384:
+            raise ValueError(f"texture_size is {texture_size}, but must be in [1, 16384]")
+        placement = {"projection": "Octahedral", "margin": 0.01, "area_balance": area_balance}
+        painted = self._filtered("vtkSphericalTextureMap", False, placement)
+        source = vtkTrivialProducer()
+        source.SetOutput(painted.polydata)
+        image = scan_colors.baked(source, points, found, texture_size)
+        if texture_size is None:
+            image.FitImageSize()
+        run(image, progress)
+        painted._picture = image.GetOutput(), placement
         return painted
 
     @properties_of("vtkSphericalRegistration", without=("fixed",))
@@ -239,6 +281,16 @@ def constant(array: typing.Any) -> Array:
     values = vtk_to_numpy(array)
     values.flags.writeable = False
     return values
+
+
+def colors_in(colors: npt.ArrayLike, count: int) -> Array:
+    """Return colors as count x 3 bytes. Raises ValueError unless they are such numbers."""
+    array = np.asarray(colors)
+    if array.shape != (count, 3) or array.dtype.kind not in "iu" or array.size and (
+            array.min() < 0 or array.max() > 255):
+        raise ValueError(f"expected colors as {count} x 3 integers in [0, 255], not of the shape {array.shape} and "
+                         f"of {array.dtype}")
+    return np.ascontiguousarray(array, np.uint8)
 
 
 def arrays_of(attributes: typing.Any) -> typing.Dict[str, Array]:

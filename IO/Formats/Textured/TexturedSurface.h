@@ -5,6 +5,7 @@
 
 #include "Base/Run.h"
 #include "Bytes/ParseStatus.h"
+#include "Textured/TexturedMesh.h"
 
 #include <cstdint>
 #include <string>
@@ -13,18 +14,14 @@
 
 namespace conformal
 {
-/// Surface of #P points and #F triangles with texture coordinates. All numbers are finite.
-struct TexturedSurface
+/// Compression of the points and triangles of a glTF file.
+enum class GLBCompression
 {
-  std::vector<double> Positions;      ///< #P by 3
-  std::vector<float> Normals;         ///< #P by 3, vectors of unit length; or empty
-  std::vector<float> TexCoords;       ///< #P by 2, v counted from the bottom of the picture
-  std::vector<std::uint32_t> Corners; ///< #F by 3 point ids, counter-clockwise from outside
-  /// Whether the picture is repeated for texture coordinates outside of [0, 1]. Otherwise, the
-  /// pixels of its border are repeated
-  bool RepeatsTexture = false;
-  std::string Name;           ///< name of the surface, for glTF; may be empty
-  double MetersPerUnit = 1.0; ///< length of a position's unit [m], for glTF; finite and above 0
+  None,      ///< floats and 32-bit ids
+  Quantized, ///< integers of 8 and 16 bits, by the extension KHR_mesh_quantization
+  /// Integers of 8, 13, 14 and 32 bits, compressed by the extension EXT_meshopt_compression. The extension
+  /// KHR_texture_transform scales texture coordinates. Points and triangles are sorted.
+  Meshopt
 };
 
 /// Write a binary glTF 2.0 file that contains a surface and its picture. As glTF requires,
@@ -35,11 +32,15 @@ struct TexturedSurface
 ///
 /// If rounding to floats changes the positions too much (FloatRounding::isTooCoarse()), positions
 /// are relative to the center of the bounding box. The translation of the node is this center.
-/// @param[in] png  picture as a PNG file
+/// @param[in] picture  picture as a PNG file or a JPEG file
+/// @param[in] compression  compression of points and triangles. Positions are rounded to 1 / 65535 of
+///   the surface's size (Quantized) or 1 / 16383 (Meshopt), and normals to 8 bits.
+/// @throws std::runtime_error for Meshopt, if the build has not found the library meshoptimizer
 /// @throws std::invalid_argument if the positions are too large or too small for floats
 /// @throws std::length_error if the file would exceed 4 GiB, the limit of the format
 /// @throws Aborted if the progress callback of `run` returns false
-std::string makeGLB(const TexturedSurface& surface, std::string_view png, const Run& run = {});
+std::string makeGLB(const TexturedSurface& surface, std::string_view picture, const Run& run = {},
+  GLBCompression compression = GLBCompression::None);
 
 /// Return the text of an OBJ file. The text names the file `materialFile`, and its material
 /// "surface" as the material of all triangles.

@@ -34,6 +34,8 @@ exit status:
   Ctrl-C ends the command by the signal; unfinished files are removed."""
 
 SIZES = range(12, 10000003)  # those of geodesic spheres
+VERTICES = range(500, 10000003)  # those of adaptive spheres
+TEXELS = range(1, 16385)
 
 
 def size(text):
@@ -41,6 +43,22 @@ def size(text):
     number = int(text)
     if number not in SIZES:
         raise argparse.ArgumentTypeError(f"{number} is not in [{SIZES[0]}, {SIZES[-1]}]")
+    return number
+
+
+def vertices(text):
+    """A number of points of a written surface."""
+    number = int(text)
+    if number not in VERTICES:
+        raise argparse.ArgumentTypeError(f"{number} is not in [{VERTICES[0]}, {VERTICES[-1]}]")
+    return number
+
+
+def texels(text):
+    """Number of pixels along a side of a texture."""
+    number = int(text)
+    if number not in TEXELS:
+        raise argparse.ArgumentTypeError(f"{number} is not in [{TEXELS[0]}, {TEXELS[-1]}]")
     return number
 
 
@@ -66,6 +84,12 @@ def arguments(argv):
                         + "; {} stands for the scan's name without extension, a folder for FOLDER/{}.glb")
     parser.add_argument("--texture", metavar="IMAGE",
                         help="PNG or JPEG of up to 2^28 pixels to paint with; default: the scan's own colors, if it has some")
+    parser.add_argument("--texture-map", choices=("balanced", "conformal"), default="balanced",
+                        help="map by which pictures are laid: one that balances areas and angles (balanced), or the "
+                             "surface's own map (conformal), which distorts pictures least; default balanced")
+    parser.add_argument("--texture-size", type=texels, metavar="N",
+                        help="width and height of the texture with the scan's colors, in pixels; by default, the "
+                             "density of the scan determines it, up to 4096")
     parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
                         help="direction from the object to the viewer, which the texture's middle faces; default 0 0 1")
     parser.add_argument("--up", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 1, 0),
@@ -77,8 +101,13 @@ def arguments(argv):
     parser.add_argument("--neurons", type=size, metavar="N",
                         help="number of points of the learned mesh; by default, the number of points of the "
                              "scan and their noise determine it, up to 12962; for a geodesic mesh the nearest 10 f^2 + 2")
-    parser.add_argument("--points", type=size, metavar="N",
-                        help="approximate minimum number of points of the smooth surface; default 64002")
+    parser.add_argument("--points", type=vertices, metavar="N",
+                        help="number of points of the surface in each written file, within 2 percent, in [500, "
+                             "10000002]. Points that are duplicated where a picture is cut are counted, too; "
+                             "by default, each triangle of the learned mesh is divided until there are 64002 or more")
+    parser.add_argument("--compress", action="store_true",
+                        help="write small .glb files: points and triangles by the extensions KHR_mesh_quantization and "
+                             "EXT_meshopt_compression of glTF, and pictures as JPEG")
     parser.add_argument("--measure", action="store_true",
                         help="measure distances to the scan and distortion of the map, and print a table")
     parser.add_argument("--report", metavar="FILE", help="write figures, times and warnings as JSON; with - to the standard output, "
@@ -102,6 +131,8 @@ def plan_of(options):
     if not (options.output or options.picture or options.report or options.measure):
         raise WrongUsage("there is nothing to do: use --output, --picture, --report or --measure")
     expect_directions(options.view, options.up)
+    if options.texture and options.texture_size is not None:
+        raise WrongUsage("--texture-size is the size of a texture made from the scan's colors; without --texture")
     for name in (*options.scans, *options.output, options.texture, options.report, options.picture):
         expect_utf8(name or "")
     all_paths = paths_of(options)

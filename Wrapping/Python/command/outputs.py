@@ -81,6 +81,16 @@ def writer_of(path, painted):
     return writer
 
 
+def compress(writer):
+    """Let the writer of a .glb file make a small one; returns False if the build lacks meshoptimizer, and quantizes only."""
+    writer.SetTextureFormatToJPEG()
+    if writer.GetHasMeshopt():
+        writer.SetCompressionToMeshopt()
+        return True
+    writer.SetCompressionToQuantized()
+    return False
+
+
 @contextlib.contextmanager
 def whole(path, token=None, files=None, overwrite=True):
     """A path to write to instead; what is there takes its place at the end, and nothing after an error.

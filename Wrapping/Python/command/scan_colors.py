@@ -28,8 +28,11 @@ def colors_of(scan):
     return None if colors is None else np.rint(vtk_to_numpy(colors)[:, :3]).astype(np.uint8)
 
 
-def baked(painted, scan, colors):
-    """The filter that bakes colors of a scan into a picture, for a surface with texture coordinates."""
+def baked(painted, scan, colors, side=None):
+    """The filter that bakes colors of a scan into a picture, for a surface with texture coordinates.
+
+    The picture has side x side pixels. Without side, bake() chooses as many as the scan needs.
+    """
     array = numpy_to_vtk(colors, deep=True)
     array.SetName(NAME)
     colored = scan.NewInstance()
@@ -41,4 +44,14 @@ def baked(painted, scan, colors):
     image.SetInputConnection(painted.GetOutputPort())
     image.SetSourceConnection(source.GetOutputPort())
     image.SetArrayName(NAME)
+    image.SetSamplingToAverage()
+    if side is not None:
+        image.SetImageSize(side, side)
     return image
+
+
+def bake(image, side=None):
+    """Run the filter of baked(), after it has chosen the number of pixels if none is given."""
+    if side is None:
+        image.FitImageSize()
+    image.Update()

@@ -4,12 +4,17 @@ import typing
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from conformalsom import (
-    vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
+    vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
     vtkTexturedSurfaceWriter)
 
 from . import outputs, pictures, report, scan_colors, scan_files, textures
 from .plan import Paths
-from .sizes import frequency_of
+
+
+AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
+MINIMUM_POINTS = 500  # of vtkAdaptiveSphere
+MAXIMUM_ROUNDS = 5  # to reach a number of points
+ROUNDS_END = 0.01  # share of the number by which it may differ
 
 
 class Task(typing.NamedTuple):
@@ -38,10 +43,53 @@ def texture_map(surface, options, all_around):
     painted.SetInputConnection(surface.GetOutputPort())
     painted.SetViewDirection(options.view)
     painted.SetViewUp(options.up)
+    painted.SetAreaBalance(AREA_BALANCE if options.texture_map == "balanced" else 0.0)
     if all_around:
         painted.SetProjectionToOctahedral()
         painted.SetMargin(0.01)
     return painted
+
+
+def smooth_surface(mesh, number, steps):
+    """The filter that makes the smooth surface, after it has run; with a number of points unless that is None."""
+    surface = vtkCurvedSeamlessSurface()
+    surface.SetInputConnection(mesh.GetOutputPort())
+    if number is not None:
+        sphere = vtkAdaptiveSphere()
+        sphere.SetInputConnection(mesh.GetOutputPort())
+        sphere.SetNumberOfPoints(number)
+        steps.run("Place the points", sphere)
+        surface.SetSphereConnection(sphere.GetOutputPort())
+    steps.run("Build the smooth surface", surface)
+    return surface
+
+
+def cut_surface(result, options, steps, all_around):
+    """The filter that cuts a surface along its picture, after it has run."""
+    cut = texture_map(result, options, all_around)
+    cut.SplitSeamOn()  # for programs that draw each triangle as it is
+    steps.run("Cut along the picture", cut)
+    return cut
+
+
+def cut_to_number(mesh, cut, options, steps, all_around):
+    """A cut surface with the number of points of --points, where points on both sides of a cut count twice."""
+    number = options.points
+    for _ in range(MAXIMUM_ROUNDS):
+        found = cut.GetOutput().GetNumberOfPoints()
+        if abs(found - options.points) <= ROUNDS_END * options.points:
+            break
+        number = max(number + options.points - found, MINIMUM_POINTS)
+        cut = cut_surface(smooth_surface(mesh, number, steps), options, steps, all_around)
+    return cut
+
+
+def expect_number(surface, options, steps):
+    """Warn if a surface does not have the number of points of --points."""
+    found = surface.GetOutputDataObject(0).GetNumberOfPoints()
+    if options.points is not None and abs(found - options.points) > 0.02 * options.points:
+        steps.warnings.append(f"--points: the surface has {found:,} points instead of {options.points:,}")
+        steps.ended("Points", steps.warnings[-1:])
 
 
 def one_color():
@@ -70,11 +118,7 @@ def make_surface(task, texture, options, steps):
 
     network = learned_mesh(scan, options)
     steps.run("Learn the mesh", network)
-    surface = vtkCurvedSeamlessSurface()
-    surface.SetInputConnection(network.GetOutputPort())
-    if options.points is not None:
-        surface.SetFrequency(frequency_of(options.points))
-    steps.run("Build the smooth surface", surface)
+    surface = smooth_surface(network, options.points, steps)
     painted = texture_map(surface, options, all_around=colors is not None)
     steps.run("Lay the texture", painted)
 
@@ -85,12 +129,13 @@ def make_surface(task, texture, options, steps):
 
     cut = result
     if texture is not None or colors is not None:
-        cut = texture_map(result, options, all_around=colors is not None)
-        cut.SplitSeamOn()  # for programs that draw each triangle as it is
-        steps.run("Cut along the picture", cut)
+        cut = cut_surface(result, options, steps, all_around=colors is not None)
+        if options.points is not None:
+            cut = cut_to_number(network, cut, options, steps, all_around=colors is not None)
+    expect_number(cut, options, steps)
     if colors is not None:
-        texture = scan_colors.baked(cut, points, colors)
-        steps.run("Bake the scan's colors", texture)
+        texture = scan_colors.baked(cut, points, colors, options.texture_size)
+        steps.run("Bake the scan's colors", texture, lambda: scan_colors.bake(texture, options.texture_size))
 
     picture = texture or one_color()
     for path in paths.surfaces:
@@ -98,6 +143,10 @@ def make_surface(task, texture, options, steps):
         if isinstance(writer, vtkTexturedSurfaceWriter):
             writer.SetInputConnection(0, cut.GetOutputPort())
             writer.SetInputConnection(1, picture.GetOutputPort())
+            if options.compress and outputs.extension_of(path) == ".glb" and not outputs.compress(writer):
+                steps.warnings.append("--compress: this build lacks the library meshoptimizer, so that the files are "
+                                      "only quantized")
+                steps.ended("Compress", steps.warnings[-1:])
         elif isinstance(writer, vtkSurfacePageWriter):
             writer.SetInputConnection(0, cut.GetOutputPort())
             if texture is not None:

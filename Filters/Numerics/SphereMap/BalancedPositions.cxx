@@ -1,0 +1,48 @@
+#include "SphereMap/BalancedPositions.h"
+
+#include "Base/Steps.h"
+#include "Sphere/AdaptiveSphere.h"
+#include "Sphere/Resampling.h"
+#include "Sphere/SphereDensity.h"
+#include "Sphere/SphereOrientation.h"
+#include "SphereMap/GlobalConformalMap.h"
+
+#include <vector>
+
+namespace conformal
+{
+namespace
+{
+// With more points, areas and angles of the map change by less than 1 %.
+constexpr Index NumberOfSamples = 8000;
+}
+
+//------------------------------------------------------------------------------
+Points balancedPositions(const MappedMesh& surface, double areaBalance, const Run& run)
+{
+  // Relative costs of density, samples, positions, map and interpolation.
+  Steps steps(run, { 0.05, 0.25, 0.05, 0.6, 0.05 });
+  MappedMesh mapped = surface;
+  mapped.Triangles = turnedOutward(surface.Triangles, surface.SpherePositions);
+  if (mapped.Triangles.rows() > 0 && mapped.Triangles != surface.Triangles)
+  {
+    mapped.Triangles = surface.Triangles;
+    mapped.SpherePositions.col(0) *= -1.0;
+  }
+  const SphereDensity density = densityOnSurface(
+    mapped, std::vector<double>(mapped.Positions.rows(), 1.0), steps.next());
+  AdaptiveSphereOptions sampling;
+  sampling.NumberOfPoints = NumberOfSamples;
+  const Mesh sphere = makeAdaptiveSphere(density, sampling, steps.next());
+  const Mesh samples = { resample(mapped.SpherePositions, mapped.Positions, mapped.Triangles,
+                           sphere.Positions, steps.next()),
+    sphere.Triangles };
+  GlobalConformalMapOptions options;
+  options.AreaBalance = areaBalance;
+  const GlobalConformalMapResult map = globalConformalMap(samples, options, steps.next());
+  Points positions = resample(
+    sphere.Positions, map.Positions, sphere.Triangles, mapped.SpherePositions, steps.next());
+  positions.rowwise().normalize();
+  return positions;
+}
+}
