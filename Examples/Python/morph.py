@@ -180,6 +180,7 @@ def draw_mean(models, args):
         remesh.AddInputDataObject(model)
     remesh.SetNumberOfPoints(args.points)
     remesh.SetAlignmentToSimilarity()
+    remesh.AlignBlocksOff()  # models stay as they are placed
     remesh.Update()
     mean = remesh.GetMeanShape()
     shapes = [(remesh.GetOutput().GetBlock(i), f"model {i + 1}") for i in range(len(models))]

@@ -256,6 +256,7 @@ class TestStops(unittest.TestCase):
     def study(self, folder, *arguments):
         run = command(self.folder, "shapes", *self.names, "-o", folder, *SMALL, *arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual([line for line in run.stderr.splitlines() if " note: " not in line], [])
         return results_of(os.path.join(self.folder, folder))
 
     def test_a_call_continues_after_a_stop_with_the_same_bytes(self):
