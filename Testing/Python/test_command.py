@@ -34,10 +34,12 @@ from helpers import builtin_figure, textures
 COMMAND = os.environ["CONFORMALSOM_COMMAND"]
 EXAMPLES = os.path.dirname(os.path.dirname(os.path.abspath(toy_bear.__file__)))
 TRIANGLES = 20 * 16**2
+CUT_POINTS = range(2511, 2614)  # those of --points 2562 within 2 percent
 with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Systems", "figures.txt"),
           encoding="ascii") as figures:
     FIGURES = figures.read().splitlines()  # which Testing/Systems/run.sh wants from every system
-COARSE = ("--neurons", "162", "--points", "642")
+COARSE = ("--neurons", "162", "--points", "1000")
+COARSE_POINTS = range(980, 1021)  # those of --points 1000 within 2 percent
 
 
 def command(folder, *arguments):
@@ -143,7 +145,7 @@ class TestCommand(unittest.TestCase):
 
     def test_obj_has_texture_coordinates_and_its_picture(self):
         surface = read(vtkOBJReader(), self.output, "surface.obj")
-        self.assertGreater(surface.GetNumberOfPolys(), TRIANGLES)  # cut along the picture
+        self.assertLess(surface.GetNumberOfPolys(), TRIANGLES)  # fewer points beside those of the cut
         self.assertIsNotNone(surface.GetPointData().GetTCoords())
         with open(os.path.join(self.output, "surface.mtl"), encoding="ascii") as file:
             names = [line.split(None, 1)[1].strip() for line in file if line.startswith("map_Kd")]
@@ -153,7 +155,7 @@ class TestCommand(unittest.TestCase):
 
     def test_page_has_the_picture_and_all_arrays(self):
         page = page_description(self.output, "surface.html")
-        self.assertGreater(page["triangles"], TRIANGLES)  # cut along the picture
+        self.assertIn(page["points"], CUT_POINTS)
         self.assertIn("textureBounds", page)
         names = [array["name"] for array in page["arrays"]]
         self.assertTrue({"OutsideImage", "Distance"} <= set(names), names)
@@ -165,7 +167,7 @@ class TestCommand(unittest.TestCase):
         iterator = scene.NewIterator()
         iterator.InitTraversal()
         surface = iterator.GetCurrentDataObject()
-        self.assertGreater(surface.GetNumberOfCells(), TRIANGLES)  # cut along the picture
+        self.assertIn(surface.GetNumberOfPoints(), CUT_POINTS)
         self.assertIsNotNone(surface.GetPointData().GetTCoords())
 
     def test_picture_shows_four_views(self):
@@ -273,7 +275,7 @@ class TestCommand(unittest.TestCase):
                 file.write(b"old")
             run = command(self.folder, "my scan.vtp", "-o", path, *COARSE, "--overwrite")
             self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
-            self.assertEqual(read(vtkXMLPolyDataReader(), path).GetNumberOfPoints(), 642)
+            self.assertIn(read(vtkXMLPolyDataReader(), path).GetNumberOfPoints(), COARSE_POINTS)
 
     def test_mesh_type_and_number_of_neurons(self):
         for mesh_type, asked, got in (("adaptive", "500", 500), ("geodesic", "500", 492), ("automatic", "300", 300)):
@@ -289,11 +291,11 @@ class TestCommand(unittest.TestCase):
             self.assertEqual((run.returncode, run.stdout, run.stderr), (0, "", ""))
             self.assertEqual(sorted(os.listdir(folder)), ["w.html", "x.ply", "y.obj", "z.glb"])
             page = page_description(folder, "w.html")
-            self.assertEqual(page["points"], 642)
+            self.assertIn(page["points"], COARSE_POINTS)
             self.assertNotIn("textureBounds", page)
             self.assertEqual(page["surfaceAxes"], [0, 0, -1, 0, 1, 0, 1, 0, 0])
-            self.assertEqual(read(conformalsom.vtkConformalPLYReader(), folder, "x.ply").GetNumberOfPoints(), 642)
-            self.assertEqual(read(vtkOBJReader(), folder, "y.obj").GetNumberOfPoints(), 642)
+            self.assertIn(read(conformalsom.vtkConformalPLYReader(), folder, "x.ply").GetNumberOfPoints(), COARSE_POINTS)
+            self.assertIn(read(vtkOBJReader(), folder, "y.obj").GetNumberOfPoints(), COARSE_POINTS)
 
     def test_on_a_terminal_a_bar_is_shown_in_one_line(self):
         terminal, end = pty.openpty()
@@ -307,7 +309,7 @@ class TestCommand(unittest.TestCase):
         self.assertIn("] my scan.vtp: Learn the mesh", shown)
         self.assertIn("100 % [" + 24 * "#" + "]", shown)
         self.assertEqual(shown.count("\n"), 1)  # the last thing said
-        self.assertRegex(shown, r"\r\x1b\[Kmy scan.vtp: .*x.glb \(642 points, [0-9.]+ s\)\r\n$")
+        self.assertRegex(shown, r"\r\x1b\[Kmy scan.vtp: .*x.glb \((9[89].|1,0[01].) points, [0-9.]+ s\)\r\n$")
 
     def test_interrupted_it_leaves_no_file_and_dies_of_the_signal(self):
         for number in (signal.SIGINT, signal.SIGTERM):
@@ -603,7 +605,7 @@ class TestFormats(unittest.TestCase):
                     self.assertIn(": note: ", line)
                 surface = read(vtkXMLPolyDataReader(), self.folder, "of " + name, "surface.vtp")
                 radii = np.linalg.norm(points_of(surface) / (1.0, 1.4, 0.8), axis=1)
-                self.assertEqual(len(radii), 10 * 8**2 + 2)
+                self.assertIn(len(radii), COARSE_POINTS)
                 self.assertLess(np.abs(radii - 1.0).max(), 0.1)
 
 

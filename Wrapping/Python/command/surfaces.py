@@ -72,7 +72,7 @@ def cut_surface(result, options, steps, all_around):
     return cut
 
 
-def cut_to_number(mesh, cut, options, steps, all_around):
+def cut_to_number(mesh, scan, cut, options, steps, all_around):
     """A cut surface with the number of points of --points, where points on both sides of a cut count twice."""
     number = options.points
     for _ in range(MAXIMUM_ROUNDS):
@@ -80,7 +80,10 @@ def cut_to_number(mesh, cut, options, steps, all_around):
         if abs(found - options.points) <= ROUNDS_END * options.points:
             break
         number = max(number + options.points - found, MINIMUM_POINTS)
-        cut = cut_surface(smooth_surface(mesh, number, steps), options, steps, all_around)
+        surface = smooth_surface(mesh, number, steps)
+        if options.measure or options.report:
+            surface = report.measured(steps, "surface", surface, scan)
+        cut = cut_surface(surface, options, steps, all_around)
     return cut
 
 
@@ -131,8 +134,8 @@ def make_surface(task, texture, options, steps):
     if texture is not None or colors is not None:
         cut = cut_surface(result, options, steps, all_around=colors is not None)
         if options.points is not None:
-            cut = cut_to_number(network, cut, options, steps, all_around=colors is not None)
-    expect_number(cut, options, steps)
+            cut = cut_to_number(network, scan, cut, options, steps, all_around=colors is not None)
+        expect_number(cut, options, steps)
     if colors is not None:
         texture = scan_colors.baked(cut, points, colors, options.texture_size)
         steps.run("Bake the scan's colors", texture, lambda: scan_colors.bake(texture, options.texture_size))
