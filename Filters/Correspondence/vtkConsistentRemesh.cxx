@@ -96,12 +96,14 @@ std::vector<double> SharesOf(std::size_t numberOfSurfaces)
 // Surfaces on the common mesh, and their mean.
 struct Remeshed
 {
-  explicit Remeshed(const glue::Surfaces& surfaces)
+  Remeshed(const glue::Surfaces& surfaces, bool alignsBlocks)
     : Surfaces(surfaces)
+    , AlignsBlocks(alignsBlocks)
   {
   }
 
   const glue::Surfaces& Surfaces;
+  const bool AlignsBlocks; // as at the start of the run
   conformal::CoordinateFrame Frame;
   std::vector<conformal::MappedMesh> Meshes;
   conformal::ConsistentMeshes Common;
@@ -110,11 +112,11 @@ struct Remeshed
 };
 
 vtkNew<vtkPolyData> BlockOf(
-  vtkConsistentRemesh* self, const Remeshed& remeshed, std::size_t s, conformal::Steps& steps)
+  vtkObject* self, const Remeshed& remeshed, std::size_t s, conformal::Steps& steps)
 {
   const conformal::ConsistentMeshes& common = remeshed.Common;
   const conformal::Points& positions =
-    self->GetAlignBlocks() ? remeshed.Modes.Aligned[s] : common.Positions[s];
+    remeshed.AlignsBlocks ? remeshed.Modes.Aligned[s] : common.Positions[s];
   vtkNew<vtkPolyData> block;
   SetShape(block, common, positions, remeshed.Cells->GetPolys(), remeshed.Frame);
   glue::CarryPointArrays(
@@ -179,6 +181,7 @@ int vtkConsistentRemesh::RequestData(
   conformal::ShapeModesOptions options;
   options.Alignment = static_cast<conformal::ShapeAlignment>(this->Alignment);
   options.NumberOfModes = this->NumberOfModes;
+  const bool alignsBlocks = this->AlignBlocks;
   return glue::RunCore(this,
     [&]()
     {
@@ -189,7 +192,7 @@ int vtkConsistentRemesh::RequestData(
         return;
       }
       conformal::Steps steps(glue::RunOf(this), SharesOf(surfaces.Held.size()));
-      Remeshed remeshed(surfaces);
+      Remeshed remeshed(surfaces, alignsBlocks);
       remeshed.Meshes = glue::ToMappedMeshes(surfaces, remeshed.Frame, steps.next());
       remeshed.Common = conformal::remeshConsistently(remeshed.Meshes, remesh, steps.next());
       remeshed.Modes = conformal::findShapeModes(

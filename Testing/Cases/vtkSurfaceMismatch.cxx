@@ -90,6 +90,7 @@ std::vector<Mirror> Mirrors()
   return { Same("LengthUnit", filter->GetLengthUnit(), static_cast<int>(options.LengthUnit)),
     Same("NumberOfSamples", filter->GetNumberOfSamples(), options.NumberOfSamples),
     Same("RandomSeed", filter->GetRandomSeed(), options.RandomSeed),
+    Same("CurvatureRadius", filter->GetCurvatureRadius(), options.CurvatureRadius),
     Same("MAX_RADIUS", vtkSurfaceMismatch::MAX_RADIUS, static_cast<int>(MismatchUnit::MaxRadius)),
     Same("HALF_DIAGONAL", vtkSurfaceMismatch::HALF_DIAGONAL,
       static_cast<int>(MismatchUnit::HalfDiagonal)),
@@ -102,7 +103,8 @@ Case SurfaceMismatch()
   Case all = CaseOf<F>("vtkSurfaceMismatch");
   Mode model = UnitMode("model", { Surface(Reads), Surface(Reads, "reference") }, F::MAX_RADIUS);
   model.Properties = { Integer("LengthUnit", &F::SetLengthUnit),
-    Integer("NumberOfSamples", &F::SetNumberOfSamples), Integer("RandomSeed", &F::SetRandomSeed) };
+    Integer("NumberOfSamples", &F::SetNumberOfSamples), Integer("RandomSeed", &F::SetRandomSeed),
+    Number("CurvatureRadius", &F::SetCurvatureRadius) };
   all.Modes = { model, UnitMode("half diagonal", { Good(), Good() }, F::HALF_DIAGONAL),
     UnitMode("no unit", { Good(), Variant(Reads, "reference, no unit") }, F::NONE) };
   for (int unit = F::MAX_RADIUS; unit <= F::NONE; ++unit)

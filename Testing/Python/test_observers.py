@@ -231,7 +231,7 @@ class TestObservers(unittest.TestCase):
 
     def test_properties_are_found(self):
         changed = change_properties(vtkSphericalTextureImage())
-        self.assertEqual(set(changed), {"SetArrayName", "SetImageSize"})
+        self.assertEqual(set(changed), {"SetArrayName", "SetImageSize", "SetSampling"})
         self.assertGreater(len(change_properties(vtkConformalSOM())), 12)
 
     @unittest.skipUnless(hasattr(vtkTrivialProducer, "SetAbortExecuteAndUpdateTime"),

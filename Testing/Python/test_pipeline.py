@@ -49,6 +49,10 @@ def chain(frequency=18, surface_frequency=40):
     split.SetInputConnection(surface.GetOutputPort())
     split.SetProjectionToOctahedral()
     split.SplitSeamOn()
+    balanced = vtkSphericalTextureMap()
+    balanced.SetInputConnection(surface.GetOutputPort())
+    balanced.SetAreaBalance(0.5)
+    balanced.Update()
     image = vtkSphericalTextureImage()
     image.SetInputConnection(split.GetOutputPort())
     image.SetArrayName("Normals")
@@ -82,6 +86,7 @@ def chain(frequency=18, surface_frequency=40):
     to_mesh.SetInputConnection(1, surface.GetOutputPort())
     to_mesh.Update()
     return {**by_name, "vtkSphericalTextureMap with SplitSeam": split,
+            "vtkSphericalTextureMap with AreaBalance": balanced,
             "vtkSurfaceMismatch with a reference mesh": to_mesh,
             "vtkConformalSOM with DistributeOutput": network_piece,
             "vtkGenusZeroHull with DistributeOutput": hull_piece}

@@ -9,7 +9,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 import conformalsom
 
-from . import jobs, maps, outputs, pictures, shapes, surfaces, textures
+from . import jobs, outputs, pictures, surfaces, textures
 from .plan import WrongUsage, expect_directions, expect_utf8, paths_of, positive
 from .progress import Bar, printable
 from .steps import Interrupted
@@ -24,8 +24,11 @@ examples:
   conformalsom scan.ply --texture photo.png -o surface.glb
   conformalsom scan.ply -o surface.vtp -o surface.stl --report figures.json
   conformalsom scans/*.ply -o 'surfaces/{}.glb'
-  conformalsom shapes scans/*.ply -o study/   # mean and modes; see conformalsom shapes --help
-  conformalsom map body.tab -o map.tif        # GeoTIFF of a body; see conformalsom map --help
+  conformalsom shapes scans/*.ply -o study/
+  conformalsom map body.tab -o map.tif
+
+See conformalsom shapes --help for studies of the shapes of many scans, and conformalsom map --help for
+maps of bodies as GeoTIFF files.
 
 exit status:
   0  all files were written
@@ -203,17 +206,27 @@ def main(argv=None):
     """Run the command; returns the exit status."""
     argv = sys.argv[1:] if argv is None else list(argv)
     occupy_standard_streams()
-    if argv[:1] == ["shapes"]:
-        study = shapes.arguments(argv[1:])
-        return guarded(lambda bar: shapes.run(study, bar))
-    if argv[:1] == ["map"]:
-        chart = maps.arguments(argv[1:])
-        return guarded(lambda bar: maps.run(chart))
+    if argv[:1] in (["shapes"], ["map"]):
+        return subcommand(argv)
     options, all_paths = arguments(argv)
     if sys.stdout is None and (options.measure or options.report == "-"):
         complain("the standard output is closed, but the table or the report needs it")
         return 1
     return guarded(lambda bar: run(options, all_paths, bar))
+
+
+def subcommand(argv):
+    """Run shapes or map, which need classes that a build may leave out; returns the exit status."""
+    try:
+        if argv[0] == "map":
+            from . import maps as chosen
+        else:
+            from . import shapes as chosen
+    except ImportError as error:
+        complain(f"{argv[0]}: {error}")
+        return 1
+    options = chosen.arguments(argv[1:])
+    return guarded(lambda bar: chosen.run(options, bar))
 
 
 def guarded(work):

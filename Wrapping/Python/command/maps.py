@@ -88,7 +88,7 @@ def expect_sense(options):
     geotiff.expect_available(options.crs)
 
 
-def run(options):
+def run(options, _):
     """Read, map, draw and write; returns the exit status."""
     steps = Steps()
     body = vtkBodyMap()
