@@ -1,5 +1,6 @@
 """The command conformalsom: from scans to painted surfaces."""
 import argparse
+import importlib
 import json
 import os
 import signal
@@ -218,10 +219,7 @@ def main(argv=None):
 def subcommand(argv):
     """Run shapes or map, which need classes that a build may leave out; returns the exit status."""
     try:
-        if argv[0] == "map":
-            from . import maps as chosen
-        else:
-            from . import shapes as chosen
+        chosen = importlib.import_module({"map": ".maps", "shapes": ".shapes"}[argv[0]], __package__)
     except ImportError as error:
         complain(f"{argv[0]}: {error}")
         return 1
