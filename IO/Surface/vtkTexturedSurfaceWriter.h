@@ -96,8 +96,8 @@ public:
   ///@{
   /**
    * Compression of points and triangles. Used only for glTF. NONE (default): floats, which every
-   * program reads. QUANTIZED: integers of 8 and 16 bits by the extension KHR_mesh_quantization; less
-   * than half the size. MESHOPT: integers that are compressed by the extension
+   * program reads. QUANTIZED: integers of 8 and 16 bits by the extension KHR_mesh_quantization, about
+   * 0.7 of the size. MESHOPT: integers that are compressed by the extension
    * EXT_meshopt_compression, about a fifth of the size; positions are rounded to 1 / 16383 of the
    * surface's size, and points and triangles are sorted. Programs without the extensions reject the
    * file. If the build has not found the library meshoptimizer, MESHOPT is an error; see

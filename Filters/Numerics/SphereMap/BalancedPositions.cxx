@@ -13,7 +13,7 @@ namespace conformal
 {
 namespace
 {
-// With more points, areas and angles of the map change by less than 1 %.
+// Compromise between cost and detail.
 constexpr Index NumberOfSamples = 8000;
 }
 
