@@ -123,8 +123,9 @@ conformal::SphereDensity WithDetails(
   {
     if (surface->GetPointData()->HasArray(glue::TexturePositionName()))
     {
-      throw std::invalid_argument("Density Image needs a picture that vtkSphericalTextureMap placed "
-                                  "with AreaBalance 0");
+      throw std::invalid_argument(
+        "Density Image needs a picture that vtkSphericalTextureMap placed "
+        "with AreaBalance 0");
     }
     layout = glue::ToSphereImage(surface->GetFieldData());
   }

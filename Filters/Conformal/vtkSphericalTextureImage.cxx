@@ -272,8 +272,8 @@ void vtkSphericalTextureImage::FitImageSize(double pixelsPerPoint)
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface, source });
       const ImageOfSurface read = ReadImage(surface, frame);
       const conformal::Points points = glue::ToPoints(source->GetPoints(), frame);
-      const conformal::Index height = conformal::imageHeightFor(
-        read.Mesh, points, read.Image, pixelsPerPoint, glue::RunOf(this));
+      const conformal::Index height =
+        conformal::imageHeightFor(read.Mesh, points, read.Image, pixelsPerPoint, glue::RunOf(this));
       const auto width = static_cast<int>(
         std::lround(std::min(16384.0, double(height) * conformal::widthPerHeight(read.Image))));
       this->SetImageSize(std::max(width, 1), static_cast<int>(height));
@@ -343,8 +343,8 @@ int vtkSphericalTextureImage::RequestData(
       const ImageOfSurface read =
         processes.rank() == owner ? ReadImage(surface, frame) : ImageOfSurface();
       const conformal::PixelGrid grid = { result->GetDimensions()[0], result->GetDimensions()[1] };
-      averages ? PaintAverages(read, GatherSource(valued, values, frame, processes.reduce()), pixels,
-                   holes, grid, steps.next())
+      averages ? PaintAverages(read, GatherSource(valued, values, frame, processes.reduce()),
+                   pixels, holes, grid, steps.next())
                : Paint(read, source, frame, grid, glue::PixelPainter(values, pixels, holes),
                    processes.reduce(), steps.next());
       if (isShared)

@@ -15,9 +15,10 @@
  *
  * Input port 1, optional: vtkPointSet, the source of the values. Without this input, the values are
  * those of the surface. Each pixel shows a point of the surface. By default, the pixel gets the
- * value of the source at the position closest to this point; see Sampling. If the source is a vtkPolyData with triangles, this
- * position is on the triangles. Otherwise, it is one of the source's points. The image can thus
- * show all colors of a scan, even if the mesh has far fewer points than the scan.
+ * value of the source at the position closest to this point; see Sampling. If the source is a
+ * vtkPolyData with triangles, this position is on the triangles. Otherwise, it is one of the
+ * source's points. The image can thus show all colors of a scan, even if the mesh has far fewer
+ * points than the scan.
  *
  * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the texture
  * coordinates (s, t) of its middle.
@@ -124,9 +125,9 @@ public:
   /**
    * Update the inputs, and set ImageSize to the size at which the image shows the details of the
    * source. For 95 percent of the source's points, the image has at least pixelsPerPoint pixels for
-   * each point. Without a source, the points of the surface are used. The height is a multiple of 64
-   * in [64, 4096]. The density of the points is that on this process. An error is reported if the
-   * inputs are unsuitable; ImageSize does not change then.
+   * each point. Without a source, the points of the surface are used. The height is a multiple of
+   * 64 in [64, 4096]. The density of the points is that on this process. An error is reported if
+   * the inputs are unsuitable; ImageSize does not change then.
    */
   void FitImageSize(double pixelsPerPoint = 4.0);
 

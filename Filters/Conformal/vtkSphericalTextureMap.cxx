@@ -188,8 +188,8 @@ void AddBalance(vtkPolyData* output, double areaBalance)
     output->GetFieldData(), glue::TextureAreaBalanceName(), isBalanced ? areaBalance : 0.0);
 }
 
-void AddGeometry(vtkPolyData* output, vtkPolyData* input, const conformal::SphericalTexture& texture,
-  const std::vector<vtkIdType>& cellIds, bool isSplit)
+void AddGeometry(vtkPolyData* output, vtkPolyData* input,
+  const conformal::SphericalTexture& texture, const std::vector<vtkIdType>& cellIds, bool isSplit)
 {
   if (!isSplit)
   {

@@ -30,8 +30,8 @@ void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image);
 /// @throws std::invalid_argument if an array is missing or invalid
 conformal::SphereImage ToSphereImage(vtkFieldData* data);
 
-/// Name of the point array of the sphere positions by which vtkSphericalTextureMap places a picture,
-/// if they differ from "SpherePosition".
+/// Name of the point array of the sphere positions by which vtkSphericalTextureMap places a
+/// picture, if they differ from "SpherePosition".
 inline const char* TexturePositionName()
 {
   return "TexturePosition";
@@ -44,8 +44,8 @@ inline const char* TextureAreaBalanceName()
 }
 
 /// Return the sphere positions by which a picture is placed on a surface: a copy of the point array
-/// "TexturePosition", or, without this array, of "SpherePosition". The copied vectors are normalized
-/// to unit length.
+/// "TexturePosition", or, without this array, of "SpherePosition". The copied vectors are
+/// normalized to unit length.
 /// @throws std::invalid_argument if the array is missing or does not have 3 components, or if a
 ///   vector is zero or not finite
 conformal::Points ToTexturePositions(vtkPolyData* surface);

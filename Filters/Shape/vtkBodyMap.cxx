@@ -41,6 +41,16 @@ void AddPoint(vtkFieldData* data, const char* name, const conformal::Vector3& po
   glue::AddVectors(data, name, row);
 }
 
+// Add an array of 9 components: the columns of the matrix, each of which is an axis.
+void AddAxes(vtkFieldData* data, const char* name, const Eigen::Matrix3d& axes)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(9);
+  array->InsertNextTuple(axes.data());
+  data->AddArray(array);
+}
+
 void AddAngles(vtkPointData* data, const conformal::Points& map)
 {
   std::vector<double> longitudes(map.rows()), latitudes(map.rows());
@@ -60,7 +70,7 @@ void AddPlanetocentric(vtkPolyData* output, const conformal::Points& points,
 {
   const conformal::PlanetocentricFrame axes = conformal::planetocentricFrame(options);
   const conformal::Points values =
-    conformal::planetocentricCoordinates(points, axes).LongitudeLatitudeRadius;
+    conformal::planetocentricCoordinates(points, axes);
   const auto column = [&](int k)
   {
     std::vector<double> result(values.rows());
@@ -71,11 +81,7 @@ void AddPlanetocentric(vtkPolyData* output, const conformal::Points& points,
   glue::AddNumbers(output->GetPointData(), "PlanetocentricLatitude", column(1));
   glue::AddLengths(output->GetPointData(), "Radius", column(2), frame);
   AddPoint(output->GetFieldData(), "BodyCenter", axes.Center, frame);
-  vtkNew<vtkDoubleArray> directions;
-  directions->SetName("BodyAxes");
-  directions->SetNumberOfComponents(9);
-  directions->InsertNextTuple(axes.Axes.data()); // column by column: each column is a direction
-  output->GetFieldData()->AddArray(directions);
+  AddAxes(output->GetFieldData(), "BodyAxes", axes.Axes);
 }
 
 void AddRelief(vtkPolyData* output, const conformal::Mesh& body, bool isEllipsoid,
@@ -88,11 +94,7 @@ void AddRelief(vtkPolyData* output, const conformal::Mesh& body, bool isEllipsoi
   glue::AddNumbers(output->GetPointData(), "Slope", relief.Slopes);
   AddPoint(output->GetFieldData(), "ReferenceCenter", reference.Center, frame);
   AddPoint(output->GetFieldData(), "ReferenceRadii", reference.Radii, frame);
-  vtkNew<vtkDoubleArray> axes;
-  axes->SetName("ReferenceAxes");
-  axes->SetNumberOfComponents(9);
-  axes->InsertNextTuple(reference.Axes.data()); // column by column: each column is an axis
-  output->GetFieldData()->AddArray(axes);
+  AddAxes(output->GetFieldData(), "ReferenceAxes", reference.Axes);
 }
 
 void SetGraticule(vtkPolyData* output, const std::vector<conformal::GraticuleLine>& lines,

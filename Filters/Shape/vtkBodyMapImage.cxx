@@ -83,9 +83,10 @@ void AddMapMarks(
   }
 }
 
-// Return the field array of a surface with this many numbers, all of them finite, or null.
-vtkDataArray* FieldNumbers(vtkPolyData* surface, const char* name, int count)
+// Return the numbers of a field array, or none without the array. They are `count` finite numbers.
+std::vector<double> FieldNumbers(vtkPolyData* surface, const char* name, int count)
 {
+  std::vector<double> numbers;
   vtkDataArray* array = surface->GetFieldData()->GetArray(name);
   if (array && array->GetNumberOfValues() != count)
   {
@@ -94,12 +95,13 @@ vtkDataArray* FieldNumbers(vtkPolyData* surface, const char* name, int count)
   }
   for (int i = 0; array && i < count; ++i)
   {
-    if (!std::isfinite(array->GetVariantValue(i).ToDouble()))
+    numbers.push_back(array->GetVariantValue(i).ToDouble());
+    if (!std::isfinite(numbers.back()))
     {
       throw std::invalid_argument(std::string("the field array ") + name + " must be finite");
     }
   }
-  return array;
+  return numbers;
 }
 
 conformal::PlanetocentricFrame PlanetocentricFrameOf(
@@ -107,23 +109,15 @@ conformal::PlanetocentricFrame PlanetocentricFrameOf(
 {
   conformal::PlanetocentricFrame result;
   conformal::Vector3 center = conformal::Vector3::Zero();
-  if (vtkDataArray* array = FieldNumbers(surface, "BodyCenter", 3))
-  {
-    center = { array->GetVariantValue(0).ToDouble(), array->GetVariantValue(1).ToDouble(),
-      array->GetVariantValue(2).ToDouble() };
-  }
+  const std::vector<double> stored = FieldNumbers(surface, "BodyCenter", 3);
+  std::copy(stored.begin(), stored.end(), center.data());
   result.Center = frame.toFrameFromAfar(center);
-  if (vtkDataArray* array = FieldNumbers(surface, "BodyAxes", 9))
+  const std::vector<double> axes = FieldNumbers(surface, "BodyAxes", 9);
+  std::copy(axes.begin(), axes.end(), result.Axes.data());
+  if (!(result.Axes.transpose() * result.Axes).isIdentity(1e-6))
   {
-    for (int i = 0; i < 9; ++i)
-    {
-      result.Axes.data()[i] = array->GetVariantValue(i).ToDouble();
-    }
-    if (!(result.Axes.transpose() * result.Axes).isIdentity(1e-6))
-    {
-      throw std::invalid_argument(
-        "the field array BodyAxes must have three perpendicular unit vectors");
-    }
+    throw std::invalid_argument(
+      "the field array BodyAxes must have three perpendicular unit vectors");
   }
   return result;
 }

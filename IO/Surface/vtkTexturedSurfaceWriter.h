@@ -22,9 +22,10 @@
  *   (scene object) of the surface then has a translation to this middle. The node has the name of
  *   the file.
  *   Compression and TextureFormat make this file smaller.
- * - ".obj": Wavefront OBJ. Coordinates have as many digits as floats need, or doubles if rounding to
- *   floats would shift points by more than 1e-5 of the surface's size. Two further files are written, a material (".mtl") and the
- *   texture (".png"). Their names are made from FileName by another extension.
+ * - ".obj": Wavefront OBJ. Coordinates have as many digits as floats need, or doubles if rounding
+ * to floats would shift points by more than 1e-5 of the surface's size. Two further files are
+ * written, a material (".mtl") and the texture (".png"). Their names are made from FileName by
+ * another extension.
  * - ".ply": binary PLY with doubles, and with the texture coordinates "texture_u" and "texture_v"
  *   of the vertices. The texture is a further file. Its name is FileName with the extension ".png".
  *
@@ -96,8 +97,8 @@ public:
   ///@{
   /**
    * Compression of points and triangles. Used only for glTF. NONE (default): floats, which every
-   * program reads. QUANTIZED: integers of 8 and 16 bits by the extension KHR_mesh_quantization, about
-   * 0.7 of the size. MESHOPT: integers that are compressed by the extension
+   * program reads. QUANTIZED: integers of 8 and 16 bits by the extension KHR_mesh_quantization,
+   * about 0.7 of the size. MESHOPT: integers that are compressed by the extension
    * EXT_meshopt_compression, about a fifth of the size; positions are rounded to 1 / 16383 of the
    * surface's size, and points and triangles are sorted. Programs without the extensions reject the
    * file. If the build has not found the library meshoptimizer, MESHOPT is an error; see

@@ -42,7 +42,8 @@ Case BodyMapImage()
         f->GeneratePositionsOn();
       }) };
   image.Properties = { Name("ArrayName", &F::SetArrayName),
-    Integer("Projection", &F::SetProjection), Integer("Coordinates", &F::SetCoordinates), Number("CentralLongitude", &F::SetCentralLongitude),
+    Integer("Projection", &F::SetProjection), Integer("Coordinates", &F::SetCoordinates),
+    Number("CentralLongitude", &F::SetCentralLongitude),
     Vector2<F, int>("ImageSize", &F::SetImageSize),
     Number("GraticuleSpacing", &F::SetGraticuleSpacing),
     Switch("GeneratePositions", &F::SetGeneratePositions) };

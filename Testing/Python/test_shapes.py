@@ -365,7 +365,7 @@ class TestBadInputs(unittest.TestCase):
         self.assertRegex(run.stderr, "^conformalsom: broken.ply: Read the scan: .*\n$")
         half = os.path.join(self.folder, "half")
         self.assertEqual(results_of(half), {})
-        self.assertEqual(len(glob.glob(half + "/work/map-*.vtp")), 4)
+        self.assertEqual(len(glob.glob(os.path.join(half, "work", "map-*.vtp"))), 4)
         self.assertEqual(command(self.folder, "shapes", *self.names, "-o", "half", *SMALL).returncode, 0)
         shutil.rmtree(half)
 

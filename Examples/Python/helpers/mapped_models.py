@@ -5,28 +5,9 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
-from conformalsom import vtkGlobalConformalMap
-from conformalsom.command import scan_files
+from conformalsom.command.mapped_files import name_of, read
 
-
-def name_of(path):
-    return os.path.splitext(os.path.basename(path))[0]
-
-
-def read(path, balance, steps):
-    """A file's surface, mapped to the sphere with this AreaBalance unless the file has a map."""
-    reader = scan_files.scan_reader(path)
-    steps.run(f"Read {name_of(path)}", reader)
-    surface = reader.GetOutput()
-    if surface.GetPointData().GetArray("SpherePosition"):
-        return surface
-    if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
-        raise ValueError(f"{path}: has no triangles; learn a surface from its points first")
-    conformal = vtkGlobalConformalMap()
-    conformal.SetInputData(surface)
-    conformal.SetAreaBalance(balance)
-    steps.run(f"Map {name_of(path)} to the sphere", conformal)
-    return conformal.GetOutput()
+__all__ = ["figure", "largest_radius", "mark", "name_of", "read", "read_landmarks", "write"]
 
 
 def read_landmarks(path, surface):

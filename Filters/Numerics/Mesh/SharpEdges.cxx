@@ -25,7 +25,6 @@ constexpr int GrowthPasses = 3; // number of passes that continue sharp edges in
 // the differences of unit normals.
 constexpr double FilterWidth = 1.0, NormalWidth = 0.35;
 
-constexpr double SharpCosine = 0.8; // maximum cosine between the normals at a sharp edge
 // Minimum cosine, in a plane, between the normal of a triangle and its smoothed normal
 constexpr double PlaneCosine = 0.985;
 

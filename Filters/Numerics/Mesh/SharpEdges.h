@@ -9,6 +9,9 @@
 
 namespace conformal
 {
+/// Maximum cosine between the normals at a sharp edge, 37 degrees or more.
+inline constexpr double SharpCosine = 0.8;
+
 /// Move vertices of a mesh onto the sharp edges and corners of the shape. A sharp edge is the
 /// intersection of two nearly planar parts whose normals differ by 37 degrees or more.
 ///

@@ -29,8 +29,8 @@ Points balancedPositions(const MappedMesh& surface, double areaBalance, const Ru
     mapped.Triangles = surface.Triangles;
     mapped.SpherePositions.col(0) *= -1.0;
   }
-  const SphereDensity density = densityOnSurface(
-    mapped, std::vector<double>(mapped.Positions.rows(), 1.0), steps.next());
+  const SphereDensity density =
+    densityOnSurface(mapped, std::vector<double>(mapped.Positions.rows(), 1.0), steps.next());
   AdaptiveSphereOptions sampling;
   sampling.NumberOfPoints = NumberOfSamples;
   const Mesh sphere = makeAdaptiveSphere(density, sampling, steps.next());

@@ -1,5 +1,7 @@
 #include "Surface/Creases.h"
 
+#include "Mesh/SharpEdges.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +10,7 @@ namespace conformal
 namespace
 {
 constexpr Index BlockSize = 1024;
-constexpr double CreaseCosine = 0.8; // as SharpCosine of SharpEdges.cxx
-constexpr double BendOfSide = 0.4;   // maximum, in units of the angle of the edge
+constexpr double BendOfSide = 0.4; // maximum, in units of the angle of the edge
 
 /// Test the second condition of creaseVertices() for the side of an edge.
 /// @param[in] r  triangle on this side
@@ -29,7 +30,7 @@ bool sideIsSmooth(const Triangles& triangles, const Triangles& across, const Poi
     for (int count = 0; count < valence; ++count)
     {
       const Index beside = across(at, forward ? previous(corner) : corner);
-      if (beside < 0 || beside == r || normals.row(at).dot(normals.row(beside)) < CreaseCosine)
+      if (beside < 0 || beside == r || normals.row(at).dot(normals.row(beside)) < SharpCosine)
       {
         break;
       }
@@ -72,7 +73,7 @@ std::vector<unsigned char> creaseVertices(const Points& points, const Triangles&
         {
           const Index other = across(r, k);
           const double cosine = other > r ? normals.row(r).dot(normals.row(other)) : 1.0;
-          if (!(cosine < CreaseCosine))
+          if (!(cosine < SharpCosine))
           {
             continue;
           }

@@ -16,9 +16,10 @@ namespace conformal
 {
 namespace
 {
-constexpr int FewestPoints = 3;   // of a mean, where the scan has few points
-constexpr int MostPoints = 64;    // of a mean, where it has many
-constexpr double Widening = 1.05; // of the radius, so that the last of the fewest points has a weight
+constexpr int FewestPoints = 3; // of a mean, where the scan has few points
+constexpr int MostPoints = 64;  // of a mean, where it has many
+constexpr double Widening =
+  1.05; // of the radius, so that the last of the fewest points has a weight
 // Part of a pixel's radius within which all points have about equal weights.
 constexpr double Core = 0.5;
 constexpr Index MostSamples = 4; // along a side of a pixel

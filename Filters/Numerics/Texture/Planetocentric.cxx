@@ -32,11 +32,10 @@ PlanetocentricFrame planetocentricFrame(const BodyCoordinatesOptions& options)
 }
 
 //------------------------------------------------------------------------------
-PlanetocentricCoordinates planetocentricCoordinates(
+Points planetocentricCoordinates(
   const Points& points, const PlanetocentricFrame& frame, const Run& run)
 {
-  PlanetocentricCoordinates result;
-  result.LongitudeLatitudeRadius.resize(points.rows(), 3);
+  Points result(points.rows(), 3);
   forBlocks(run, points.rows(), BlockSize,
     [&](Index begin, Index end)
     {
@@ -44,7 +43,7 @@ PlanetocentricCoordinates planetocentricCoordinates(
       {
         const Vector3 x = frame.Axes.transpose() * (points.row(i).transpose() - frame.Center);
         const Vector2 degrees = toLongitudeLatitude(x);
-        result.LongitudeLatitudeRadius.row(i) << degrees[0], degrees[1], x.norm();
+        result.row(i) << degrees[0], degrees[1], x.norm();
       }
     });
   return result;

@@ -25,13 +25,9 @@ struct PlanetocentricFrame
 /// @throws std::invalid_argument if the marker point is on the axis
 PlanetocentricFrame planetocentricFrame(const BodyCoordinatesOptions& options);
 
-struct PlanetocentricCoordinates
-{
-  Points LongitudeLatitudeRadius; ///< #V by 3: degrees in [0, 360), degrees, and a length
-};
-
 /// Compute longitude, latitude and radius of each point. The center has longitude and latitude 0.
-PlanetocentricCoordinates planetocentricCoordinates(
+/// @return #V by 3: degrees in [0, 360), degrees in [-90, 90], and a length
+Points planetocentricCoordinates(
   const Points& points, const PlanetocentricFrame& frame, const Run& run = {});
 
 /// Find the point of the body that each pixel shows, and pass the points to `sink`, a function of

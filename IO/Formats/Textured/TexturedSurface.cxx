@@ -115,16 +115,16 @@ public:
     const std::string name = surface.Name.empty() ? "" : "\"name\":" + jsonText(surface.Name) + ",";
     std::string unit;
     appendNumber(unit, surface.MetersPerUnit);
-    const std::string extensions = this->Extensions.empty()
-      ? ""
-      : "\"extensionsUsed\":[" + this->Extensions + "],\"extensionsRequired\":[" +
-        this->Extensions + "],";
+    const std::string extensions = this->Extensions.empty() ? ""
+                                                            : "\"extensionsUsed\":[" +
+        this->Extensions + "],\"extensionsRequired\":[" + this->Extensions + "],";
     const std::string fallback = this->FallbackSize == 0
       ? ""
       : ",{\"byteLength\":" + std::to_string(this->FallbackSize) +
         ",\"extensions\":{\"EXT_meshopt_compression\":{\"fallback\":true}}}";
-    std::string json = "{" + extensions + "\"asset\":{\"version\":\"2.0\",\"generator\":\"ConformalSOM\","
-                       "\"extras\":{\"metersPerUnit\":" +
+    std::string json = "{" + extensions +
+      "\"asset\":{\"version\":\"2.0\",\"generator\":\"ConformalSOM\","
+      "\"extras\":{\"metersPerUnit\":" +
       unit +
       "}},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
       "\"nodes\":[{" +
@@ -133,16 +133,16 @@ public:
       "},\"indices\":" + std::to_string(indices) +
       ",\"material\":0}]}],"
       "\"materials\":[{" +
-      name +
-      "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0" +
+      name + "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0" +
       this->TextureTransform +
       "},"
       "\"metallicFactor\":0},\"doubleSided\":true}],"
       "\"textures\":[{\"sampler\":0,\"source\":0}],"
       "\"samplers\":[{\"magFilter\":9729,\"minFilter\":9987,\"wrapS\":" +
       wrap + ",\"wrapT\":" + wrap + "}],\"images\":[{\"bufferView\":" + std::to_string(image) +
-      ",\"mimeType\":\"" + this->MimeType + "\"}],\"accessors\":[" + this->Accessors + "],\"bufferViews\":[" +
-      this->Views + "],\"buffers\":[{\"byteLength\":" + std::to_string(this->Bytes.size()) + "}" + fallback +
+      ",\"mimeType\":\"" + this->MimeType + "\"}],\"accessors\":[" + this->Accessors +
+      "],\"bufferViews\":[" + this->Views +
+      "],\"buffers\":[{\"byteLength\":" + std::to_string(this->Bytes.size()) + "}" + fallback +
       "]}";
     pad(json, ' ');
     const std::uint64_t size = 12 + 8 + json.size() + 8 + this->Bytes.size();
@@ -329,8 +329,8 @@ std::string makePackedGLB(
                         : builder.addVertices(values, count, stride);
   };
   std::string attributes = "\"POSITION\":" +
-    std::to_string(builder.addAccessor(add(positions.Values.data(), 8), UnsignedShort, "VEC3", count,
-      boundsOf(positions.Values)));
+    std::to_string(builder.addAccessor(
+      add(positions.Values.data(), 8), UnsignedShort, "VEC3", count, boundsOf(positions.Values)));
   run.report(0.5);
   if (!surface.Normals.empty())
   {
@@ -339,8 +339,7 @@ std::string makePackedGLB(
           "\"mode\":\"ATTRIBUTES\",\"filter\":\"OCTAHEDRAL\"", false)
       : builder.addVertices(packNormals(surface.Normals).data(), count, 4);
     attributes += ",\"NORMAL\":" +
-      std::to_string(
-        builder.addAccessor(view, SignedByte, "VEC3", count, ",\"normalized\":true"));
+      std::to_string(builder.addAccessor(view, SignedByte, "VEC3", count, ",\"normalized\":true"));
   }
   const PackedTexCoords texCoords = packTexCoords(surface.TexCoords, isCompressed ? 13 : 16);
   builder.TextureTransform = transformOf(texCoords);

@@ -19,8 +19,8 @@ enum class GLBCompression
 {
   None,      ///< floats and 32-bit ids
   Quantized, ///< integers of 8 and 16 bits, by the extension KHR_mesh_quantization
-  /// Integers of 8, 13, 14 and 32 bits, compressed by the extension EXT_meshopt_compression. The extension
-  /// KHR_texture_transform scales texture coordinates. Points and triangles are sorted.
+  /// Integers of 8, 13, 14 and 32 bits, compressed by the extension EXT_meshopt_compression. The
+  /// extension KHR_texture_transform scales texture coordinates. Points and triangles are sorted.
   Meshopt
 };
 
@@ -33,7 +33,8 @@ enum class GLBCompression
 /// If rounding to floats changes the positions too much (FloatRounding::isTooCoarse()), positions
 /// are relative to the center of the bounding box. The translation of the node is this center.
 /// @param[in] picture  picture as a PNG file or a JPEG file
-/// @param[in] compression  compression of points and triangles. Positions are rounded to 1 / 65535 of
+/// @param[in] compression  compression of points and triangles. Positions are rounded to 1 / 65535
+/// of
 ///   the surface's size (Quantized) or 1 / 16383 (Meshopt), and normals to 8 bits.
 /// @throws std::runtime_error for Meshopt, if the build has not found the library meshoptimizer
 /// @throws std::invalid_argument if the positions are too large or too small for floats

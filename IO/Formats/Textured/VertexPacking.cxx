@@ -156,8 +156,8 @@ std::string compressCorners(const std::vector<std::uint32_t>& corners, std::size
 {
   meshopt_encodeIndexVersion(1); // the only version of the extension
   std::string bytes(meshopt_encodeIndexBufferBound(corners.size(), points), '\0');
-  bytes.resize(meshopt_encodeIndexBuffer(reinterpret_cast<unsigned char*>(bytes.data()),
-    bytes.size(), corners.data(), corners.size()));
+  bytes.resize(meshopt_encodeIndexBuffer(
+    reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), corners.data(), corners.size()));
   return bytes;
 }
 #else

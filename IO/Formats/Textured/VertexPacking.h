@@ -1,6 +1,6 @@
-/// Pack the vertices of a textured surface into integers, and compress them. The formats are those of
-/// the glTF extensions KHR_mesh_quantization and EXT_meshopt_compression. The library meshoptimizer
-/// compresses, if the build has found it.
+/// Pack the vertices of a textured surface into integers, and compress them. The formats are those
+/// of the glTF extensions KHR_mesh_quantization and EXT_meshopt_compression. The library
+/// meshoptimizer compresses, if the build has found it.
 
 #ifndef ConformalVertexPacking_h
 #define ConformalVertexPacking_h

@@ -61,8 +61,7 @@ double errorOfX(const Points& cloud, const Triangles& triangles, Index side)
           weights += weight;
         }
         EXPECT_NEAR(weights, 1.0, 1e-12);
-        errors[pixel] =
-          std::abs(sum - conformal::textureToSphere(grid.middleOf(pixel), image)[0]);
+        errors[pixel] = std::abs(sum - conformal::textureToSphere(grid.middleOf(pixel), image)[0]);
       }
     });
   for (const double error : errors)
@@ -146,7 +145,7 @@ TEST(AveragedTexture, RejectsBadInput)
     imageHeightFor(surface, surface.Positions, octahedral(), 0.0), std::invalid_argument);
   Points broken = surface.Positions;
   broken(3, 1) = std::nan("");
-  EXPECT_THROW(averageSphericalTexture(
-                 surface, broken, Triangles(0, 3), octahedral(), { 4, 4 }, nothing),
+  EXPECT_THROW(
+    averageSphericalTexture(surface, broken, Triangles(0, 3), octahedral(), { 4, 4 }, nothing),
     std::invalid_argument);
 }

@@ -43,8 +43,7 @@ TEST(Planetocentric, KnowsAxesAndMarker)
   Points points(4, 3);
   points << 1, 2, 5, 3, 2, 3, 1, 4, 3, 1, 1, 2;
   const Points result =
-    conformal::planetocentricCoordinates(points, conformal::planetocentricFrame(options))
-      .LongitudeLatitudeRadius;
+    conformal::planetocentricCoordinates(points, conformal::planetocentricFrame(options));
   EXPECT_NEAR(result(0, 0), 0.0, 1e-12); // the marker's meridian
   EXPECT_NEAR(result(0, 1), 0.0, 1e-12);
   EXPECT_NEAR(result(0, 2), 2.0, 1e-15);

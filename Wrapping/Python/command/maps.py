@@ -5,10 +5,10 @@ import os
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
-from conformalsom import vtkBodyMap, vtkBodyMapImage, vtkGlobalConformalMap
+from conformalsom import vtkBodyMap, vtkBodyMapImage
 
-from . import geotiff, outputs, scan_files
-from .plan import WrongUsage, expect_name, expect_utf8
+from . import geotiff, mapped_files, outputs, scan_files
+from .plan import WrongUsage, expect_name, expect_utf8, parsed
 from .progress import printable
 from .steps import Steps
 
@@ -30,6 +30,7 @@ A shape model has its origin in the center of the body, its z axis to the north,
 longitude 0. If not, use --center and --axis."""
 
 BANDS = ("height", "slope", "radius", "area", "x", "y", "z")
+AREA_BALANCE = 0.5  # of maps that are computed; see vtkGlobalConformalMap
 METERS = {"m": 1.0, "km": 1000.0}
 
 
@@ -63,12 +64,7 @@ def arguments(argv):
     parser.add_argument("--crs", metavar="CODE", help="coordinate reference system as GDAL knows it, such as "
                         "IAU_2015:200000400; default: longitude and latitude on a sphere of the body's mean radius")
     parser.add_argument("--overwrite", action="store_true", help="replace FILE")
-    options = parser.parse_args(argv)
-    try:
-        expect_sense(options)
-    except WrongUsage as error:
-        parser.error(printable(str(error)))
-    return options
+    return parsed(parser, argv, expect_sense)
 
 
 def expect_sense(options):
@@ -92,41 +88,20 @@ def run(options, _):
     """Read, map, draw and write; returns the exit status."""
     steps = Steps()
     body = vtkBodyMap()
-    body.SetInputData(mapped(options.body, steps))
+    body.SetInputData(mapped_files.read(options.body, AREA_BALANCE, steps))
     body.SetCenter(options.center)
     body.SetRotationAxis(options.axis)
     steps.run("Find longitudes and latitudes", body)
     bands = bands_of(options, body.GetOutput(), steps)
     points = vtk_to_numpy(body.GetOutput().GetPointData().GetArray("Radius")) * METERS[options.unit]
     with outputs.whole(options.output, files=[options.output], overwrite=options.overwrite) as path:
-        geotiff.write(path, bands, options.central_longitude, name_of(options.body), float(points.mean()), options.crs)
+        geotiff.write(path, bands, options.central_longitude, mapped_files.name_of(options.body), float(points.mean()), options.crs)
     for warning in steps.warnings:
         print(printable(warning))
     missing = np.isnan(bands["radius"]).mean()
     print(f"wrote {printable(options.output)}: {options.width} x {options.width // 2} pixels, heights "
           f"{np.nanmin(bands['height']):.4g} to {np.nanmax(bands['height']):.4g} m, {100.0 * missing:.3g} % without values")
     return 0
-
-
-def name_of(path):
-    """The file's name without its extension."""
-    return os.path.splitext(os.path.basename(path))[0]
-
-
-def mapped(path, steps):
-    """The surface in a file, with a map to the sphere."""
-    reader = scan_files.scan_reader(path)
-    steps.run(f"Read {name_of(path)}", reader)
-    surface = reader.GetOutput()
-    if surface.GetPointData().GetArray("SpherePosition"):
-        return surface
-    if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:
-        raise ValueError(f"{path}: has no triangles; make a surface of its points first: conformalsom {path} -o body.ply")
-    conformal = vtkGlobalConformalMap()
-    conformal.SetInputData(surface)
-    conformal.SetAreaBalance(0.5)
-    steps.run("Map the body to the sphere", conformal)
-    return conformal.GetOutput()
 
 
 def bands_of(options, body, steps):

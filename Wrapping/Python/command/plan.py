@@ -8,6 +8,7 @@ import typing
 import numpy
 
 from . import outputs, scan_files
+from .progress import printable
 
 
 class Paths(typing.NamedTuple):
@@ -87,6 +88,16 @@ def expect_utf8(name):
         name.encode("utf-8")
     except UnicodeEncodeError:
         raise WrongUsage(f"{ascii(os.fsencode(name))[2:-1]}: names of files must be UTF-8") from None
+
+
+def parsed(parser, argv, expect_sense):
+    """What the command line says, after expect_sense(options), which may raise WrongUsage."""
+    options = parser.parse_args(argv)
+    try:
+        expect_sense(options)
+    except WrongUsage as error:
+        parser.error(printable(str(error)))
+    return options
 
 
 class Checks:

@@ -7,17 +7,18 @@ import os
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-TEMPLATE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "shapes")
+FOLDER = os.path.dirname(os.path.abspath(__file__))
 STEPS = 32767  # of coordinates, which have 16 bits
 
 
 def template():
     """The page without data; raises OSError if the package is incomplete."""
-    parts = {}
-    for kind in ("html", "css", "js"):
-        with open(f"{TEMPLATE}.{kind}", encoding="utf-8") as file:
-            parts[kind] = file.read()
-    return parts["html"].replace("{{style}}", parts["css"]).replace("{{program}}", parts["js"])
+    parts = []
+    for name in ("shapes.html", "base.css", "shapes.css", "shapes.js"):
+        with open(os.path.join(FOLDER, name), encoding="utf-8") as file:
+            parts.append(file.read())
+    page, base, style, program = parts
+    return page.replace("{{style}}", base + style).replace("{{program}}", program)
 
 
 class Data:

@@ -3,8 +3,7 @@ import argparse
 import os
 
 from . import jobs, outputs, shape_groups, shape_page, shape_results, shape_steps
-from .plan import Paths, WrongUsage, expect_directions, expect_name, expect_utf8, positive
-from .progress import printable
+from .plan import Paths, WrongUsage, expect_directions, expect_name, expect_utf8, parsed, positive
 from .scan_files import inputs_of, scan_reader
 
 DESCRIPTION = """\
@@ -68,13 +67,8 @@ def arguments(argv):
     parser.add_argument("--overwrite", action="store_true", help="replace the results of an earlier study in FOLDER")
     parser.add_argument("--jobs", type=positive, default=1, metavar="N",
                         help="number of surfaces to process at a time; default 1")
-    options = parser.parse_args(argv)
-    options.report = None  # of which jobs ask
-    try:
-        expect_sense(options)
-    except WrongUsage as error:
-        parser.error(printable(str(error)))
-    return options
+    parser.set_defaults(report=None)  # of which jobs ask
+    return parsed(parser, argv, expect_sense)
 
 
 def expect_sense(options):

@@ -74,16 +74,16 @@ def cut_surface(result, options, steps, all_around):
 
 def cut_to_number(mesh, scan, cut, options, steps, all_around):
     """A cut surface with the number of points of --points, where points on both sides of a cut count twice."""
-    number = options.points
+    number, surface = options.points, None
     for _ in range(MAXIMUM_ROUNDS):
         found = cut.GetOutput().GetNumberOfPoints()
         if abs(found - options.points) <= ROUNDS_END * options.points:
             break
         number = max(number + options.points - found, MINIMUM_POINTS)
         surface = smooth_surface(mesh, number, steps)
-        if options.measure or options.report:
-            surface = report.measured(steps, "surface", surface, scan)
         cut = cut_surface(surface, options, steps, all_around)
+    if surface is not None and (options.measure or options.report):
+        cut = cut_surface(report.measured(steps, "surface", surface, scan), options, steps, all_around)
     return cut
 
 

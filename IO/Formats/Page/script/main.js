@@ -15,9 +15,13 @@ function makeRenderer() {
   renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
   renderer.setScissorTest(true);
   canvas.addEventListener("webglcontextrestored", () => redraw());
-  new ResizeObserver(() => {
+  const fit = () => {
     const box = element("views").getBoundingClientRect();
     renderer.setSize(box.width, box.height, false);
+  };
+  fit(); // the observer is called later, at the next frame
+  new ResizeObserver(() => {
+    fit();
     draw();
   }).observe(element("views"));
   return renderer;
@@ -89,6 +93,7 @@ async function start() {
   });
   renderer = makeRenderer();
   showColor(geometry, uniforms);
+  draw();
   window.page.pick = pick;
   window.page.picture = pictureOfViews;
   element("message").textContent = "";
