@@ -11,14 +11,7 @@ bash "$root/CMake/install-packages.sh" cmake ninja-build g++ libvtk9-dev libeige
   libexpat1-dev zlib1g-dev libmeshoptimizer-dev paraview paraview-dev libqt5svg5
 bash "$root/CMake/make-paraview-prefix.sh" "$root/build/paraview-prefix"
 
-log=$root/build/paraview/build.log
-mkdir -p "$(dirname "$log")"
-echo "Building into build/paraview"
-if ! (cd "$root" && cmake --preset paraview && cmake --build --preset paraview) >"$log" 2>&1; then
-  tail -n 40 "$log"
-  echo "The build failed; all of its output is in $log" >&2
-  exit 1
-fi
+bash "$root/CMake/build.sh" paraview build/paraview
 
 plugins=$root/build/paraview/plugins
 export PV_PLUGIN_PATH=$plugins${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}

@@ -11,8 +11,6 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 bash "$root/CMake/install-packages.sh" cmake ninja-build g++ libvtk9-dev python3-vtk9 \
   python3-numpy libeigen3-dev libexpat1-dev zlib1g-dev libmeshoptimizer-dev libjs-three xvfb xauth libgl1-mesa-dri
 
-log=$root/build/release/build.log
-mkdir -p "$(dirname "$log")"
 cache=$root/build/release/CMakeCache.txt
 preset=quickstart
 [ $# -eq 0 ] || preset=quickstart-files
@@ -22,12 +20,7 @@ if [ -e "$cache" ]; then # what was built stays
     *'vtk*Reader'*) preset=quickstart-files ;;
   esac
 fi
-echo "Building into build/release"
-if ! (cd "$root" && cmake --preset "$preset" && cmake --build --preset release) >"$log" 2>&1; then
-  tail -n 40 "$log"
-  echo "The build failed; all of its output is in $log" >&2
-  exit 1
-fi
+bash "$root/CMake/build.sh" "$preset" build/release release
 
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run --auto-servernum)

@@ -1,5 +1,6 @@
 """The command conformalsom: every file it promises is there, whole, and can be read back; it replaces
 nothing unasked, says what went wrong, and its own picture is that of the README."""
+import filecmp
 import json
 import os
 import pty
@@ -296,6 +297,23 @@ class TestCommand(unittest.TestCase):
             self.assertEqual(page["surfaceAxes"], [0, 0, -1, 0, 1, 0, 1, 0, 0])
             self.assertIn(read(conformalsom.vtkConformalPLYReader(), folder, "x.ply").GetNumberOfPoints(), COARSE_POINTS)
             self.assertIn(read(vtkOBJReader(), folder, "y.obj").GetNumberOfPoints(), COARSE_POINTS)
+
+    def test_files_of_one_name_share_a_picture(self):
+        with tempfile.TemporaryDirectory() as folder:
+            call = (folder, os.path.join(self.folder, "my scan.vtp"), *COARSE, "--texture",
+                    os.path.join(self.folder, "my picture.png"), "-o", "x.obj")
+            self.assertEqual(command(*call).returncode, 0)
+            pictures = [os.path.join(folder, name) for name in ("x.png", "alone.png")]
+            os.rename(*pictures)
+            run = command(*call, "-o", "x.ply", "--overwrite")
+            self.assertEqual((run.returncode, run.stdout), (0, ""))
+            self.assertEqual(sorted(os.listdir(folder)), ["alone.png", "x.mtl", "x.obj", "x.ply", "x.png"])
+            self.assertTrue(filecmp.cmp(*pictures, shallow=False))
+            run = command(*call[:-2], "-o", "x.ply", "-o", "x.obj")  # without --overwrite
+            self.assertEqual(run.returncode, 2)
+            for name in "x.mtl", "x.obj", "x.ply", "x.png":
+                os.unlink(os.path.join(folder, name))
+            self.assertEqual(command(*call, "-o", "x.ply").returncode, 0)
 
     def test_on_a_terminal_a_bar_is_shown_in_one_line(self):
         terminal, end = pty.openpty()

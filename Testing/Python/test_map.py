@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from conformalsom import vtkGeodesicSphereSource
+from conformalsom.command import map_picture
 
 try:
     from osgeo import gdal
@@ -94,6 +95,40 @@ class TestMap(unittest.TestCase):
         self.assertAlmostEqual(self.bands["area"].sum() / area, 1.0, delta=0.02)
         self.assertLess(np.abs(self.bands["height"]).max(), 6.0)  # the ellipsoid is its own reference
         self.assertLess(self.bands["slope"].max(), 4.0)
+
+    def test_picture_has_heights_in_colors_with_labels_and_a_scale(self):
+        rows, columns, length = 180, 360, 40000.0
+        longitude = (np.arange(columns) + 0.5)[None, :] * np.ones((rows, 1))
+        bands = {"height": 500.0 * np.sin(np.radians(longitude)), "radius": np.full((rows, columns), 25000.0)}
+        bands["height"][:, 300:310] = np.nan
+        image = map_picture.draw(bands, 180.0, "A body")
+        width, height, _ = image.GetDimensions()
+        page = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].astype(int)
+        font = 9
+        left, top = 5 * font, 3 * font
+        plane = page[top:top + rows, left:left + columns]
+        self.assertGreater(plane[45, 85, 0] - plane[45, 85, 2], 60)  # high: red
+        self.assertGreater(plane[45, 265, 2] - plane[45, 265, 0], 60)  # low: blue
+        np.testing.assert_array_equal(plane[45, 305], map_picture.MISSING)
+        ink = page.max(axis=2) < 120
+        for part in (page[:top, left:], page[top:top + rows, :left], page[top + rows:top + rows + 2 * font],
+                     page[top:top + rows, left + columns + 3 * font:]):  # title, labels, legend
+            self.assertGreater((part.max(axis=2) < 120).sum(), 20)
+        bar = ink[top + rows + 3 * font, left:]
+        pixels = int(np.argmin(bar))  # a round length, as far as it goes in a quarter of the width
+        self.assertAlmostEqual(pixels / columns * 2.0 * np.pi * 25000.0, 20000.0, delta=0.02 * length)
+
+    def test_picture_is_written_beside_the_map(self):
+        picture, target = self.path_of("map.png"), self.path_of("with.tif")
+        made = conformalsom("map", self.body, "-o", target, "--picture", picture, "--width", 100)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        file = gdal.Open(picture)
+        self.assertGreater(file.RasterXSize, 100)
+        again = conformalsom("map", self.body, "-o", self.path_of("other.tif"), "--picture", picture)
+        self.assertEqual(again.returncode, 2)
+        self.assertIn("map.png already exists", again.stderr)
+        for path in (picture, target):
+            os.unlink(path)
 
     def test_what_cannot_work_is_said_and_nothing_is_written(self):
         target = self.path_of("new.tif")

@@ -81,7 +81,7 @@ class TestProxies(unittest.TestCase):
         self.assertEqual(area.find("DoubleRangeDomain").attrib, {"name": "range", "min": "0", "max": "1"})
         self.assertIn("Maximum size of a hole that is filled", area.findtext("Documentation"))
         self.assertEqual([port.get("name") for port in shown.findall("OutputPort")], ["Surface", "Loops"])
-        self.assertEqual(shown.find("Hints/ShowInMenu").get("category"), "Conformal SOM")
+        self.assertEqual(shown.find("Hints/ShowInMenu").get("category"), "Conformal SOM: Surface")
         self.assertEqual(shown.find("InputProperty/DataTypeDomain/DataType").get("value"), "vtkPolyData")
 
     def test_every_value_has_a_domain(self):

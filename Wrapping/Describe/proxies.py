@@ -36,6 +36,15 @@ import xml.etree.ElementTree as ElementTree
 from describe import Undescribed, classes, paragraphs_of, words_of
 
 CATEGORY = "Conformal SOM"
+GROUPS = {  # submenus of filters
+    "Surface": ("ConformalSOM", "CurvedSeamlessSurface", "AdaptiveSphere", "GenusZeroCheck", "GenusZeroHull",
+                "GenusZeroRepair", "SurfaceMismatch"),
+    "Sphere Map": ("GlobalConformalMap", "ConformalDistortion", "SphericalAlignment"),
+    "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend"),
+    "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
+                       "ConsistentRemesh"),
+    "Shape": ("BodyMap", "BodyMapImage", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceShape"),
+}
 DATA_TYPES = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",
               "vtkTable": "a table"}
 OVERLAY_ATTRIBUTES = {"label", "outputs", "mapped", "advanced", "extensions", "file_type"}
@@ -413,7 +422,7 @@ class Proxy:
         group = ElementTree.Element("ProxyGroup", name="filters" if self.class_.inputs else "sources")
         proxy = add(group, "SourceProxy", name=self.class_.unit, class_=self.class_.name, label=self.overlay.label)
         proxy.append(self.class_documentation())
-        hints = [ElementTree.Element("ShowInMenu", category=CATEGORY)]
+        hints = [ElementTree.Element("ShowInMenu", category=self.category())]
         members = list(self.members())
         if reads:
             proxy.append(file_name(animateable="0"))
@@ -427,6 +436,15 @@ class Proxy:
             add(proxy, "OutputPort", index=index, name=name)
         self.hints(proxy, *hints)
         return [group]
+
+    def category(self):
+        """Return the submenu of the proxy."""
+        if not self.class_.inputs:
+            return CATEGORY
+        for group, units in GROUPS.items():
+            if self.class_.unit in units:
+                return f"{CATEGORY}: {group}"
+        raise Undescribed(f"{self.class_.name} is in none of the GROUPS of {os.path.basename(__file__)}")
 
     def writer_factory(self, readers):
         """Return the hint by which a writer's files are known: of the reader of the same name, or the overlay."""

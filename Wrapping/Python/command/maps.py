@@ -1,14 +1,13 @@
 """The command conformalsom map: a map of a body as a GeoTIFF of numbers, or as a picture."""
 import argparse
-import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from conformalsom import vtkBodyMap, vtkBodyMapImage
 
-from . import geotiff, mapped_files, outputs, scan_files
-from .plan import WrongUsage, expect_name, expect_utf8, parsed
+from . import geotiff, map_picture, mapped_files, outputs, pictures, scan_files
+from .plan import Checks, WrongUsage, expect_extension, expect_utf8, parsed
 from .progress import printable
 from .steps import Steps
 
@@ -63,20 +62,21 @@ def arguments(argv):
                         help="direction of north; default 0 0 1")
     parser.add_argument("--crs", metavar="CODE", help="coordinate reference system as GDAL knows it, such as "
                         "IAU_2015:200000400; default: longitude and latitude on a sphere of the body's mean radius")
-    parser.add_argument("--overwrite", action="store_true", help="replace FILE")
+    parser.add_argument("--picture", metavar="FILE", help="also draw the heights with labels, a legend and a scale; .png "
+                        "or .jpg")
+    parser.add_argument("--overwrite", action="store_true", help="replace files")
     return parsed(parser, argv, expect_sense)
 
 
 def expect_sense(options):
     """Raise WrongUsage where the call cannot give a map."""
-    expect_name(options.output)
-    expect_utf8(options.output)
-    if outputs.extension_of(options.output) not in (".tif", ".tiff"):
-        raise WrongUsage(f"{options.output}: expected a file of type .tif .tiff")
-    if any(os.path.realpath(options.output) == os.path.realpath(file) for file in scan_files.inputs_of(options.body)):
-        raise WrongUsage(f"{options.output}: is read, too")
-    if os.path.lexists(options.output) and not options.overwrite:
-        raise WrongUsage(f"{options.output}: already exists; use --overwrite or another name")
+    checks = Checks(scan_files.inputs_of(options.body), options.overwrite)
+    for path, extensions in ((options.output, (".tif", ".tiff")), (options.picture, outputs.PICTURES)):
+        if path:
+            expect_utf8(path)
+            expect_extension(path, extensions)
+            checks.expect_free(path)
+    checks.expect_no_file_is_a_folder()
     if not abs(options.central_longitude) <= 360.0:
         raise WrongUsage("--central-longitude must be in [-360, 360]")
     if not np.isfinite([*options.center, *options.axis]).all() or not np.any(options.axis):
@@ -96,12 +96,23 @@ def run(options, _):
     points = vtk_to_numpy(body.GetOutput().GetPointData().GetArray("Radius")) * METERS[options.unit]
     with outputs.whole(options.output, files=[options.output], overwrite=options.overwrite) as path:
         geotiff.write(path, bands, options.central_longitude, mapped_files.name_of(options.body), float(points.mean()), options.crs)
+    if options.picture:
+        write_picture(options, bands, steps)
     for warning in steps.warnings:
         print(printable(warning))
     missing = np.isnan(bands["radius"]).mean()
     print(f"wrote {printable(options.output)}: {options.width} x {options.width // 2} pixels, heights "
           f"{np.nanmin(bands['height']):.4g} to {np.nanmax(bands['height']):.4g} m, {100.0 * missing:.3g} % without values")
     return 0
+
+
+def write_picture(options, bands, steps):
+    """Draw and write the picture."""
+    kind = "planetocentric coordinates" if options.coordinates == "planetocentric" else "coordinates of a map to the sphere"
+    title = f"{printable(mapped_files.name_of(options.body))}: heights over an ellipsoid, {kind}"
+    writer = pictures.picture_writer(options.picture)
+    writer.SetInputData(map_picture.draw(bands, options.central_longitude, title))
+    outputs.write(steps, writer, options.picture, overwrite=options.overwrite)
 
 
 def bands_of(options, body, steps):

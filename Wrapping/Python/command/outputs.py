@@ -92,14 +92,15 @@ def compress(writer):
 
 
 @contextlib.contextmanager
-def whole(path, token=None, files=None, overwrite=True):
+def whole(path, token=None, files=None, overwrite=True, shared=()):
     """A path to write to instead; what is there takes its place at the end, and nothing after an error.
 
     So do the files that may come to lie beside it. All come into being in a folder beside their places that is named
     after the token, and into which no other user can look; discard() removes what a process that crashed left there.
+    Files in shared may be replaced: a picture is the same for an .obj and a .ply file of one scan.
     """
     token, files = token or new_token(), files or files_of(path)
-    places = [Place(file, overwrite) for file in files]
+    places = [Place(file, overwrite or file in shared) for file in files]
     with named_errors(path):
         os.makedirs(places[0].folder, exist_ok=True)
     try:
@@ -252,10 +253,10 @@ def succeeds(call, *arguments):
     return True
 
 
-def write(steps, writer, path, token=None, overwrite=True):
+def write(steps, writer, path, token=None, overwrite=True, shared=()):
     """Write a file by a writer that has its inputs: whole, or not at all."""
     label = f"Write {os.path.basename(path)}"
-    with whole(path, token, overwrite=overwrite) as part:
+    with whole(path, token, overwrite=overwrite, shared=shared) as part:
         writer.SetFileName(part)
         try:
             steps.run(label, writer, writer.Write)

@@ -21,8 +21,9 @@ class Paths(typing.NamedTuple):
         return [*self.surfaces, *filter(None, [self.picture])]
 
     def files(self):
-        """All files that may come into being by them."""
-        return [file for path in self.all() for file in outputs.files_of(path)]
+        """All files that may come into being by them; files beside surfaces with one picture are shared."""
+        beside = [file for path in self.surfaces for file in outputs.files_of(path)[1:]]
+        return [*self.all(), *dict.fromkeys(beside)]
 
 
 class WrongUsage(Exception):

@@ -141,6 +141,7 @@ def make_surface(task, texture, options, steps):
         steps.run("Bake the scan's colors", texture, lambda: scan_colors.bake(texture, options.texture_size))
 
     picture = texture or one_color()
+    written = []
     for path in paths.surfaces:
         writer = outputs.writer_of(path, painted=texture is not None)
         if isinstance(writer, vtkTexturedSurfaceWriter):
@@ -158,7 +159,8 @@ def make_surface(task, texture, options, steps):
             writer.SetViewUp(options.up)
         else:
             writer.SetInputConnection(result.GetOutputPort())
-        outputs.write(steps, writer, path, task.token, options.overwrite)
+        outputs.write(steps, writer, path, task.token, options.overwrite, shared=written)
+        written += outputs.files_of(path)[1:]
     learned, smoothed, laid = (stage.GetOutputDataObject(0) for stage in (mesh, result, cut))
     if paths.picture:
         image = texture.GetOutputDataObject(0) if texture else None
