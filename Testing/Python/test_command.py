@@ -27,6 +27,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 import conformalsom
 from conformalsom.command import outputs, scan_files
 from conformalsom.command import textures as command_textures
+import gltf_rules
 import output_cases
 import toy_bear
 from baselines import expect_picture, require_display
@@ -70,6 +71,15 @@ def files_in(folder):
             with open(os.path.join(path, name), "rb") as file:
                 contents[os.path.relpath(os.path.join(path, name), folder)] = file.read()
     return contents
+
+
+def bounds_of_glb(folder, name):
+    """The corners of the box around a .glb file's surface, as its node places it."""
+    with open(os.path.join(folder, name), "rb") as file:
+        document = gltf_rules.chunks(file.read(), [])[0]
+    node, accessor = document["nodes"][0], document["accessors"][0]
+    return np.array([accessor["min"], accessor["max"]]) * node.get("scale", [1, 1, 1]) + node.get(
+        "translation", [0, 0, 0])
 
 
 class TestCommand(unittest.TestCase):
@@ -170,6 +180,15 @@ class TestCommand(unittest.TestCase):
         surface = iterator.GetCurrentDataObject()
         self.assertIn(surface.GetNumberOfPoints(), CUT_POINTS)
         self.assertIsNotNone(surface.GetPointData().GetTCoords())
+
+    def test_glb_is_in_meters(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scan = os.path.join(self.folder, "my scan.vtp")
+            for name, *unit in (("m.glb",), ("mm.glb", "--unit", "mm")):
+                self.assertEqual(command(folder, scan, *COARSE, "-o", name, *unit).returncode, 0)
+            sizes = [bounds_of_glb(folder, name) for name in ("m.glb", "mm.glb")]
+            np.testing.assert_allclose(sizes[1], sizes[0] * 0.001, rtol=1e-6)
+            self.assertGreater(np.ptp(sizes[0]), 0.1)
 
     def test_picture_shows_four_views(self):
         picture = read(vtkPNGReader(), self.output, "stages.png")

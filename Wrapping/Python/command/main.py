@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 import conformalsom
 
 from . import jobs, outputs, pictures, surfaces, textures
-from .plan import WrongUsage, expect_directions, expect_utf8, paths_of, positive
+from .plan import METERS, WrongUsage, expect_directions, expect_utf8, paths_of, positive
 from .progress import Bar, printable
 from .steps import Interrupted
 
@@ -109,6 +109,8 @@ def arguments(argv):
                         help="number of points of the surface in each written file, within 2 percent, in [500, "
                              "10000002]. Points that are duplicated where a picture is cut are counted, too; "
                              "by default, each triangle of the learned mesh is divided until there are 64002 or more")
+    parser.add_argument("--unit", choices=METERS, default="m",
+                        help="unit of the scan's coordinates; .glb files are in meters, as glTF requires. Default m")
     parser.add_argument("--compress", action="store_true",
                         help="write small .glb files: points and triangles by the extensions KHR_mesh_quantization and "
                              "EXT_meshopt_compression of glTF, and pictures as JPEG")

@@ -7,7 +7,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from conformalsom import vtkBodyMap, vtkBodyMapImage
 
 from . import geotiff, map_picture, mapped_files, outputs, pictures, scan_files
-from .plan import Checks, WrongUsage, expect_extension, expect_utf8, parsed
+from .plan import METERS, Checks, WrongUsage, expect_extension, expect_utf8, parsed
 from .progress import printable
 from .steps import Steps
 
@@ -30,7 +30,6 @@ longitude 0. If not, use --center and --axis."""
 
 BANDS = ("height", "slope", "radius", "area", "x", "y", "z")
 AREA_BALANCE = 0.5  # of maps that are computed; see vtkGlobalConformalMap
-METERS = {"m": 1.0, "km": 1000.0}
 
 
 def width(text):

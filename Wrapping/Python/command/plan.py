@@ -11,6 +11,9 @@ from . import outputs, scan_files
 from .progress import printable
 
 
+METERS = {"mm": 1e-3, "cm": 1e-2, "in": 0.0254, "m": 1.0, "km": 1e3}  # of units of length
+
+
 class Paths(typing.NamedTuple):
     """What to write for a scan; no picture is an empty name."""
     surfaces: typing.List[str]

@@ -8,7 +8,7 @@ from conformalsom import (
     vtkTexturedSurfaceWriter)
 
 from . import outputs, pictures, report, scan_colors, scan_files, textures
-from .plan import Paths
+from .plan import METERS, Paths
 
 
 AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
@@ -147,6 +147,7 @@ def make_surface(task, texture, options, steps):
         if isinstance(writer, vtkTexturedSurfaceWriter):
             writer.SetInputConnection(0, cut.GetOutputPort())
             writer.SetInputConnection(1, picture.GetOutputPort())
+            writer.SetMetersPerUnit(METERS[options.unit])
             if options.compress and outputs.extension_of(path) == ".glb" and not outputs.compress(writer):
                 steps.warnings.append("--compress: this build lacks the library meshoptimizer, so that the files are "
                                       "only quantized")
