@@ -16,6 +16,9 @@ import re
 import sys
 
 from vtkmodules.vtkCommonCore import vtkVersion
+
+# The package that stubs are made of. PYTHONPATH stays: pip sets it to where it has put VTK.
+sys.path.insert(0, os.path.dirname(os.path.abspath(sys.argv[1])))
 import conformalsom
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Describe"))
