@@ -123,7 +123,7 @@ if (CONFORMALSOM_WRAP_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-vtk9, python3-numpy")
 endif ()
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS libjs-three) # for pages, see vtkSurfacePageWriter
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "libjs-three, python3-gdal") # for pages and maps
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-pyvista) # for conformalsom.pyvista
 set(CPACK_COMPONENT_PYTHON_DEPENDS runtime)
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
