@@ -70,8 +70,8 @@ install_requirements()
   PIP_FIND_LINKS="$folder/sdk ${PIP_FIND_LINKS:-}" "$tools" -m pip install --requirement "$folder/requirements.txt"
 }
 
-# All paths are the same in each run, for the compiler cache: that of the unpacked source distribution, and
-# those of the packages to build with, which an isolated build would have in a new folder each time.
+# Without --all, all paths are the same in each run, for the compiler cache: that of the unpacked source
+# distribution, and those of the packages to build with. With --all, pip puts these into a new folder, as for users.
 make_wheel()
 {
   rm -rf "$folder/dist" "$folder/source" "$folder/made"
@@ -81,11 +81,13 @@ make_wheel()
   tar --extract --file "$folder"/dist/*.tar.gz --directory "$folder/source" --strip-components 1 || return
   local options=()
   if [ -z "$all" ]; then
-    options=(--config-settings=cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
+    options=(--no-build-isolation
+      --config-settings=cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
       --config-settings=cmake.define.CONFORMALSOM_CLASSES="$(classes)")
   fi
-  CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) \
-    "$tools" -m pip wheel "$folder/source" --no-build-isolation --no-deps --wheel-dir "$folder/dist" -v \
+  PIP_FIND_LINKS="$folder/sdk ${PIP_FIND_LINKS:-}" \
+    CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) \
+    "$tools" -m pip wheel "$folder/source" --no-deps --wheel-dir "$folder/dist" -v \
     --config-settings=build-dir="$folder/made" "${options[@]}"
 }
 logged "$folder/build.log" "Building the wheel in build/wheel" make_wheel
