@@ -34,6 +34,7 @@ from baselines import expect_picture, require_display
 from helpers import builtin_figure, textures
 
 COMMAND = os.environ["CONFORMALSOM_COMMAND"]
+BUILD_SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "CMake", "build.sh")
 EXAMPLES = os.path.dirname(os.path.dirname(os.path.abspath(toy_bear.__file__)))
 TRIANGLES = 20 * 16**2
 CUT_POINTS = range(2511, 2614)  # those of --points 2562 within 2 percent
@@ -488,6 +489,7 @@ class TestScripts(unittest.TestCase):
                 file.write(text)
             os.chmod(os.path.join(folder, path), 0o755)
         shutil.copy(os.path.join(EXAMPLES, "quickstart.sh"), os.path.join(folder, "Examples"))
+        shutil.copy(BUILD_SCRIPT, os.path.join(folder, "CMake"))
         run = subprocess.run(["bash", os.path.join(folder, "Examples", "quickstart.sh"), *arguments], text=True,
                              env={**os.environ, "PATH": os.path.join(folder, "bin") + ":" + os.environ["PATH"]},
                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
@@ -510,6 +512,25 @@ class TestScripts(unittest.TestCase):
                 for name in ("surface.vtp", "surface.glb", "surface.obj", "surface.html", "quickstart.png"):
                     self.assertIn(os.path.join(build, name), called)
                 self.assertEqual(os.path.isdir(build), bear)
+
+    def test_build_shows_how_far_it_is_and_why_it_fails(self):
+        for status, said in ((0, ["Building into out", "Building into out: 50 %", "Building into out: 100 %"]),
+                             (1, ["Building into out", "Building into out: 50 %", "Building into out: 100 %",
+                                  "[1/2] first", "no progress", "[2/2] second"])):
+            with self.subTest(status), tempfile.TemporaryDirectory(prefix="a tree ") as folder:
+                for name in "CMake", "bin":
+                    os.makedirs(os.path.join(folder, name))
+                shutil.copy(BUILD_SCRIPT, os.path.join(folder, "CMake"))
+                cmake = os.path.join(folder, "bin", "cmake")
+                with open(cmake, "w", encoding="ascii") as file:
+                    file.write('#!/bin/sh\n[ "$1" = --build ] || exit 0\necho "[1/2] first"; echo no progress\n'
+                               f'echo "[2/2] second"\nexit {status}\n')
+                os.chmod(cmake, 0o755)
+                run = subprocess.run(["bash", os.path.join(folder, "CMake", "build.sh"), "preset", "out"], text=True,
+                                     env={**os.environ, "PATH": os.path.dirname(cmake) + ":" + os.environ["PATH"]},
+                                     stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+                self.assertEqual((run.returncode, run.stdout.splitlines()), (status, said))
+                self.assertEqual(run.stderr, "The build failed; all of its output is in out/build.log\n" if status else "")
 
     def test_short_example_makes_a_surface(self):
         with tempfile.TemporaryDirectory() as folder:
