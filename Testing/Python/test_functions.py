@@ -19,7 +19,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import conformalsom as cs
-from conformalsom import pages
+from conformalsom import pages, reporting
 from conformalsom.inputs import as_floats, cloud_of
 
 AXES = (1.0, 1.4, 0.8)
@@ -231,6 +231,13 @@ class TestFunctions(unittest.TestCase):
     def test_an_exception_of_the_function_stops_the_filter(self):
         with self.assertRaises(ZeroDivisionError):
             learned(progress=lambda fraction: 1 / 0, **ENDLESS)
+
+    def test_a_bar_draws_each_percent_once(self):
+        drawn = []
+        report = reporting.of_percents(drawn.append)
+        for fraction in (0.0, 0.001, 0.004, 0.006, 0.5, 0.5001, 1.0):
+            report(fraction)
+        self.assertEqual(drawn, [0, 1, 50, 100])
 
     def test_a_bar_shows_progress(self):
         script = "import sys; sys.modules['tqdm'] = None\nimport numpy, conformalsom as cs\n" \

@@ -39,17 +39,33 @@ def increasing(report: Report) -> typing.Iterator[Report]:
     pass_on(1.0)
 
 
+def of_percents(draw: typing.Callable[[int], object]) -> Report:
+    """Return a function that draws a fraction in percent if that differs from what was drawn before.
+
+    A notebook keeps all that was ever drawn.
+    """
+    drawn = -1
+
+    def report(fraction: float) -> None:
+        nonlocal drawn
+        percent = round(100 * fraction)
+        if percent != drawn:
+            drawn = percent
+            draw(percent)
+    return report
+
+
 @contextlib.contextmanager
 def bar(name: str) -> typing.Iterator[Report]:
     """Yield a function that draws a fraction: a bar of tqdm if tqdm is installed, else one line."""
     try:
         from tqdm.auto import tqdm  # pylint: disable=import-outside-toplevel
     except ModuleNotFoundError:
-        yield lambda fraction: print(f"\r{name} {100 * fraction:3.0f} %", end="", file=sys.stderr, flush=True)
+        yield of_percents(lambda percent: print(f"\r{name} {percent:3} %", end="", file=sys.stderr, flush=True))
         print(file=sys.stderr)
         return
     with tqdm(total=100, desc=name, unit="%", bar_format="{l_bar}{bar}| {elapsed}") as drawn:
-        def draw(fraction: float) -> None:
-            drawn.n = round(100 * fraction)
+        def draw(percent: int) -> None:
+            drawn.n = percent
             drawn.refresh()
-        yield draw
+        yield of_percents(draw)
