@@ -16,6 +16,8 @@ import urllib.parse
 
 import markdown
 
+import check_pages
+
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SITE = os.path.join(ROOT, "Documentation", "Site")
 GUIDES = [  # in the order of the menu
@@ -29,7 +31,6 @@ GUIDES = [  # in the order of the menu
                  "Documentation/SphericalCoordinates.md", "Documentation/Errata.md"]),
     ("Project", ["CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "Documentation/Roadmap.md"]),
 ]
-REPOSITORY_FILES = (".bib", ".py", ".sh", ".md", ".h", ".cxx", ".txt", ".cff", ".cmake")  # linked, not shown
 LINK = re.compile(r'(href|src)="([^"]+)"')
 
 
@@ -123,16 +124,7 @@ class Site:
             if name.endswith(".html"):
                 with open(os.path.join(self.folder, name), encoding="utf-8") as file:
                     pages[name] = file.read()
-        places = {name: set(re.findall(r'id="([^"]+)"', text)) for name, text in pages.items()}
-        for name, text in pages.items():
-            for _, link in LINK.findall(text):
-                file, _, place = html.unescape(link).partition("#")
-                if re.match(r"[a-z]+:", link):
-                    continue
-                if file and not os.path.exists(os.path.join(self.folder, file)):
-                    yield f"{name}: no file {link}"
-                elif place and place not in places.get(file or name, {place}):
-                    yield f"{name}: no place {link}"
+        return check_pages.dead_links(pages, self.folder)
 
 
 def make(folder, reference):

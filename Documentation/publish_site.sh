@@ -15,7 +15,7 @@ trap 'rm -rf "$work"' EXIT
 
 reference=()
 html=build/dev/Documentation/html
-if command -v doxygen bibtex >/dev/null; then
+if command -v doxygen >/dev/null && command -v bibtex >/dev/null; then
   cmake --preset dev >/dev/null && cmake --build --preset dev --target docs
   reference=(--reference "$html")
 fi

@@ -18,7 +18,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from conformalsom import vtkBodyMap, vtkBodyMapImage, vtkGlobalConformalMap
-from conformalsom.command import pictures
+from conformalsom.command import map_picture, pictures
 from conformalsom.command.steps import StepFailed, Steps
 
 from helpers import builtin_figure, mapped_models
@@ -26,7 +26,6 @@ from helpers.builtin_figure import ellipsoid
 from helpers.world_file import write_world_file
 
 PROJECTIONS = ["Equirectangular", "LambertAzimuthal", "Mollweide", "PeirceQuincuncial"]
-LOW, MIDDLE, HIGH = np.array([48, 86, 154]), np.array([232, 226, 212]), np.array([168, 62, 44])
 INK, PAPER = np.array([40, 44, 52]), 255
 PANEL = 480, 360
 VIEW = (1.0, -0.2, 0.8)
@@ -89,8 +88,7 @@ def mapped(args, steps):
 
 def colored(heights, largest):
     """Bytes of 3 colors: red at the largest height, blue at its negative."""
-    share = np.clip(heights / largest, -1.0, 1.0)[:, None]
-    return np.where(share > 0, MIDDLE + share * (HIGH - MIDDLE), MIDDLE - share * (LOW - MIDDLE)).astype(np.uint8)
+    return map_picture.diverging(heights / largest).astype(np.uint8)
 
 
 def painted(chart, largest):

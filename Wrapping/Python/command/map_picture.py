@@ -29,11 +29,11 @@ def draw(bands, central_longitude, title):
     for longitude in range(-360, 721, SPACING):
         across = (longitude - central_longitude + 180.0) * degree
         if 0 <= across <= columns:
-            plane[:, min(int(across), columns - 1)] = plane[:, min(int(across), columns - 1)] // 2 + INK // 2
+            darken(plane[:, min(int(across), columns - 1)])
             write(page, f"{longitude % 360}\u00b0 E", font, left + across, top + rows + font, 0.5)
     for latitude in range(-90, 91, SPACING):
         down = (90 - latitude) * degree
-        plane[min(int(down), rows - 1)] = plane[min(int(down), rows - 1)] // 2 + INK // 2
+        darken(plane[min(int(down), rows - 1)])
         label = f"{abs(latitude)}\u00b0 {'N' if latitude > 0 else 'S' if latitude < 0 else ''}".strip()
         write(page, label, font, left - font // 2, top + down, 1.0)
     write(page, title, round(1.2 * font), left, 1.5 * font, 0.0)
@@ -64,10 +64,20 @@ def shade(heights, radii):
     return np.where(np.isfinite(light), light, np.sqrt(0.5))
 
 
+def darken(pixels):
+    """Draw a line over a row or a column of pixels."""
+    pixels[:] = pixels // 2 + INK // 2
+
+
+def diverging(parts):
+    """Colors of numbers, in [0, 255]: red from 1 on, light at 0, blue from -1 on."""
+    parts = np.clip(parts, -1.0, 1.0)[..., None]
+    return np.where(parts > 0, MIDDLE + parts * (HIGH - MIDDLE), MIDDLE - parts * (LOW - MIDDLE))
+
+
 def colored(heights, largest, light):
     """Bytes of three colors: red at the largest height, blue at its negative, gray without a value."""
-    part = np.nan_to_num(heights / largest if largest > 0.0 else 0.0 * heights)[..., None]
-    colors = np.where(part > 0, MIDDLE + part * (HIGH - MIDDLE), MIDDLE - part * (LOW - MIDDLE))
+    colors = diverging(np.nan_to_num(heights / largest if largest > 0.0 else 0.0 * heights))
     shaded = np.clip(colors * (0.45 + 0.55 * np.sqrt(2.0) * np.maximum(light, 0.0)[..., None]), 0, 255)
     return np.where(np.isnan(heights)[..., None], MISSING, shaded).astype(np.uint8)
 
