@@ -69,8 +69,7 @@ void AddPlanetocentric(vtkPolyData* output, const conformal::Points& points,
   const conformal::BodyCoordinatesOptions& options, const conformal::CoordinateFrame& frame)
 {
   const conformal::PlanetocentricFrame axes = conformal::planetocentricFrame(options);
-  const conformal::Points values =
-    conformal::planetocentricCoordinates(points, axes);
+  const conformal::Points values = conformal::planetocentricCoordinates(points, axes);
   const auto column = [&](int k)
   {
     std::vector<double> result(values.rows());

@@ -132,8 +132,8 @@ public:
   ///@{
   /**
    * File name of three.js, release 111 or later, as a classic script or a CommonJS module:
-   * three.min.js, three.js or three.cjs. If the name is empty (default), the library in the wheel for
-   * pip is used, or otherwise the file of Debian's package libjs-three.
+   * three.min.js, three.js or three.cjs. If the name is empty (default), the library in the wheel
+   * for pip is used, or otherwise the file of Debian's package libjs-three.
    */
   vtkSetMacro(ThreeJSFileName, std::string);
   vtkGetMacro(ThreeJSFileName, std::string);

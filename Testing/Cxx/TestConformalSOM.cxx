@@ -581,7 +581,7 @@ TEST(ConformalSOM, AGeodesicMeshHasTheNearestNumberOfNeurons)
 {
   vtkNew<vtkConformalSOM> filter;
   EXPECT_EQ(filter->GetNumberOfNeurons(), 0); // automatic
-  filter->SetNumberOfNeurons(240); // between 162 and 252
+  filter->SetNumberOfNeurons(240);            // between 162 and 252
   auto cloud = MakeCloud(500);
   filter->SetInputData(cloud);
   filter->Update();

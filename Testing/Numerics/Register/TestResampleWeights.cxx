@@ -34,7 +34,8 @@ ResampleWeights manyPoints(Index size)
   ResampleWeights weights;
   for (int i = 0; i < size; ++i)
   {
-    weights.add({ { (7 * i) % 100, 1.0 + i % 3 }, { (i % 100) * (i % 100) % 100, 0.5 }, { i % 10, 0.1 } });
+    weights.add(
+      { { (7 * i) % 100, 1.0 + i % 3 }, { (i % 100) * (i % 100) % 100, 0.5 }, { i % 10, 0.1 } });
   }
   return weights;
 }
