@@ -2,6 +2,8 @@
 
 #include "Glue/FileErrors.h"
 #include "Glue/SurfaceConversions.h"
+#include "Texture/SurfaceTangents.h"
+#include "Textured/GLBFile.h"
 #include "Textured/TexturedSurface.h"
 #include "Textured/VertexPacking.h"
 
@@ -114,6 +116,35 @@ conformal::TexturedSurface ToTexturedSurface(vtkPolyData* input)
   return result;
 }
 
+// Compute the tangents of a surface from its normals and texture coordinates.
+std::vector<float> TangentsOf(const conformal::TexturedSurface& surface)
+{
+  const auto count = static_cast<conformal::Index>(surface.Positions.size() / 3);
+  conformal::Mesh mesh;
+  mesh.Positions = Eigen::Map<const conformal::Points>(surface.Positions.data(), count, 3);
+  mesh.Triangles =
+    Eigen::Map<const Eigen::Matrix<std::uint32_t, Eigen::Dynamic, 3, Eigen::RowMajor>>(
+      surface.Corners.data(), static_cast<conformal::Index>(surface.Corners.size() / 3), 3)
+      .cast<int>();
+  using Floats3 = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  using Floats2 = Eigen::Matrix<float, Eigen::Dynamic, 2, Eigen::RowMajor>;
+  const conformal::Points normals =
+    Eigen::Map<const Floats3>(surface.Normals.data(), count, 3).cast<double>();
+  const conformal::TextureCoordinates coordinates =
+    Eigen::Map<const Floats2>(surface.TexCoords.data(), count, 2).cast<double>();
+  const conformal::Points tangents = conformal::surfaceTangents(mesh, normals, coordinates);
+  return { tangents.data(), tangents.data() + tangents.size() };
+}
+
+// Add the tangents that a normal map requires.
+void AddTangents(conformal::TexturedSurface& surface, vtkPolyData* input)
+{
+  Require(!surface.Normals.empty(), "a surface with a normal map needs active point normals");
+  vtkDataArray* tangents = input->GetPointData()->GetTangents();
+  surface.Tangents = tangents && tangents->GetNumberOfComponents() == 3 ? ToUnitVectors(tangents)
+                                                                        : TangentsOf(surface);
+}
+
 template <typename Writer>
 std::string ToPicture(Writer* writer, vtkImageData* texture)
 {
@@ -160,7 +191,7 @@ std::string LowerCaseExtension(const std::filesystem::path& path)
 //------------------------------------------------------------------------------
 vtkTexturedSurfaceWriter::vtkTexturedSurfaceWriter()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -176,6 +207,24 @@ void vtkTexturedSurfaceWriter::SetTextureData(vtkImageData* picture)
 }
 
 //------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::SetNormalMapConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(2, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::SetNormalMapData(vtkImageData* normalMap)
+{
+  this->SetInputData(2, normalMap);
+}
+
+//------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::AddLevelConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->AddInputConnection(3, algOutput);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTexturedSurfaceWriter::GetHasMeshopt()
 {
   return conformal::hasMeshopt();
@@ -184,7 +233,16 @@ bool vtkTexturedSurfaceWriter::GetHasMeshopt()
 //------------------------------------------------------------------------------
 int vtkTexturedSurfaceWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  const bool isImage = port == 1 || port == 2;
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), isImage ? "vtkImageData" : "vtkPolyData");
+  if (port >= 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  if (port == 3)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
   return 1;
 }
 
@@ -205,20 +263,12 @@ void vtkTexturedSurfaceWriter::WriteFiles(const conformal::Run& run)
   surface.Name = path.stem().u8string();
   surface.MetersPerUnit = this->MetersPerUnit;
   auto* picture = vtkImageData::SafeDownCast(this->GetInput(1));
-  const bool isJPEG = extension == ".glb" && this->TextureFormat == JPEG;
-  const std::string png = isJPEG ? ToJPEG(picture) : ToPNG(picture);
   if (extension == ".glb")
   {
-    Require(this->Compression != MESHOPT || GetHasMeshopt(),
-      "Compression MESHOPT is not available, because this build has not found the library "
-      "meshoptimizer; use QUANTIZED");
-    Require(std::isfinite(this->MetersPerUnit) && this->MetersPerUnit > 0.0,
-      "MetersPerUnit is not a finite number above 0");
-    const std::string glb = conformal::makeGLB(
-      surface, png, run, static_cast<conformal::GLBCompression>(this->Compression));
-    this->WriteTogether({ { name, glb } });
+    this->WriteTogether({ { name, this->MakeGLB(surface, picture, run) } });
     return;
   }
+  const std::string png = ToPNG(picture);
   const std::filesystem::path texture = std::filesystem::path(path).replace_extension(".png");
   const std::filesystem::path material = std::filesystem::path(path).replace_extension(".mtl");
   if (extension == ".ply")
@@ -230,6 +280,41 @@ void vtkTexturedSurfaceWriter::WriteFiles(const conformal::Run& run)
   const std::string obj = conformal::makeOBJ(surface, material.filename().u8string(), run);
   const std::string mtl = conformal::makeMTL(texture.filename().u8string());
   this->WriteTogether({ { texture.u8string(), png }, { material.u8string(), mtl }, { name, obj } });
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTexturedSurfaceWriter::MakeGLB(
+  const conformal::TexturedSurface& surface, vtkImageData* picture, const conformal::Run& run)
+{
+  Require(this->Compression != MESHOPT || GetHasMeshopt(),
+    "Compression MESHOPT is not available, because this build has not found the library "
+    "meshoptimizer; use QUANTIZED");
+  Require(std::isfinite(this->MetersPerUnit) && this->MetersPerUnit > 0.0,
+    "MetersPerUnit is not a finite number above 0");
+  const auto toFile = [this](vtkImageData* image)
+  { return this->TextureFormat == JPEG ? ToJPEG(image) : ToPNG(image); };
+  conformal::GLBContents contents;
+  contents.Compression = static_cast<conformal::GLBCompression>(this->Compression);
+  contents.Picture = toFile(picture);
+  contents.Levels = { surface };
+  for (int i = 0; i < this->GetNumberOfInputConnections(3); ++i)
+  {
+    contents.Levels.push_back(
+      ToTexturedSurface(vtkPolyData::SafeDownCast(this->GetInputDataObject(3, i))));
+  }
+  if (auto* normalMap = vtkImageData::SafeDownCast(this->GetInput(2)))
+  {
+    Require(PixelsOf(normalMap)->GetNumberOfComponents() == 3,
+      "the normal map does not have 3 components");
+    contents.NormalMap = toFile(normalMap);
+    AddTangents(contents.Levels[0], vtkPolyData::SafeDownCast(this->GetInput(0)));
+    for (std::size_t i = 1; i < contents.Levels.size(); ++i)
+    {
+      AddTangents(contents.Levels[i],
+        vtkPolyData::SafeDownCast(this->GetInputDataObject(3, static_cast<int>(i) - 1)));
+    }
+  }
+  return conformal::makeGLB(contents, run);
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,16 @@
  * Input port 1: vtkImageData, the texture: one slice of unsigned char, 3 (RGB) or 4 (RGBA)
  * components.
  *
+ * Input port 2 (optional): vtkImageData, a normal map: one slice of unsigned char, 3 components, as
+ * vtkSurfaceNormalMap computes it. Used only for glTF. The surface needs active normals. Its
+ * tangents are written too: the active tangents of the points (3 components), or, without these,
+ * those of the method MikkTSpace.
+ *
+ * Input port 3 (optional): vtkPolyData, levels of detail: versions of the surface with ever fewer
+ * triangles, one for each connection, with texture coordinates of the same picture. Used only for
+ * glTF, by the extension MSFT_lod. Programs with this extension draw these versions if the surface
+ * is small on the screen. Other programs draw the surface of port 0.
+ *
  * The extension of FileName, in lower or upper case, selects the format:
  * - ".glb": binary glTF 2.0, one file with the texture inside. Coordinates are floats. If the
  *   surface is far from the origin, rounding to floats can shift points. If a shift exceeds 1e-5 of
@@ -45,6 +55,12 @@
 #include "vtkIOSurfaceModule.h" // for export macro
 #include "vtkSurfaceFileWriter.h"
 
+#include <string> // for MakeGLB
+
+namespace conformal
+{
+struct TexturedSurface;
+}
 class vtkAlgorithmOutput;
 class vtkImageData;
 
@@ -62,6 +78,19 @@ public:
   void SetTextureConnection(vtkAlgorithmOutput* algOutput);
   void SetTextureData(vtkImageData* picture);
   ///@}
+
+  ///@{
+  /**
+   * Set the normal map: one slice of unsigned char with 3 components. Used only for glTF.
+   */
+  void SetNormalMapConnection(vtkAlgorithmOutput* algOutput);
+  void SetNormalMapData(vtkImageData* normalMap);
+  ///@}
+
+  /**
+   * Add a version of the surface with fewer triangles than those before. Used only for glTF.
+   */
+  void AddLevelConnection(vtkAlgorithmOutput* algOutput);
 
   ///@{
   /**
@@ -147,6 +176,9 @@ protected:
 private:
   vtkTexturedSurfaceWriter(const vtkTexturedSurfaceWriter&) = delete;
   void operator=(const vtkTexturedSurfaceWriter&) = delete;
+
+  std::string MakeGLB(
+    const conformal::TexturedSurface& surface, vtkImageData* picture, const conformal::Run& run);
 
   bool RepeatTexture = false;
   double MetersPerUnit = 1.0;

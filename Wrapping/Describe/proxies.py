@@ -40,7 +40,7 @@ GROUPS = {  # submenus of filters
     "Surface": ("ConformalSOM", "CurvedSeamlessSurface", "AdaptiveSphere", "GenusZeroCheck", "GenusZeroHull",
                 "GenusZeroRepair", "SurfaceMismatch"),
     "Sphere Map": ("GlobalConformalMap", "ConformalDistortion", "SphericalAlignment"),
-    "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend"),
+    "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend", "SurfaceNormalMap"),
     "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
                        "ConsistentRemesh"),
     "Shape": ("BodyMap", "BodyMapImage", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceShape"),

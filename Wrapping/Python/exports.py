@@ -19,7 +19,10 @@ class Quiet:
     @staticmethod
     def run(_, writer, work=None):  # pylint: disable=unused-argument
         """Write a file, which aborts at an exception such as KeyboardInterrupt."""
-        run(writer)
+        if isinstance(writer, outputs.ThreeMFWriter):  # in Python, which other threads cannot run
+            writer.Write()
+        else:
+            run(writer)
 
 
 def save(surface: "Surface", path: str, overwrite: bool) -> None:

@@ -81,13 +81,14 @@ PackedTexCoords packTexCoords(const std::vector<float>& texCoords, int bits)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::int8_t> packNormals(const std::vector<float>& normals)
+std::vector<std::int8_t> packDirections(const std::vector<float>& vectors, float fourth)
 {
-  std::vector<std::int8_t> result(normals.size() / 3 * 4, 0);
-  for (std::size_t i = 0; i < normals.size(); ++i)
+  const auto rounded = [](float value)
+  { return static_cast<std::int8_t>(std::clamp(std::round(127.0F * value), -127.0F, 127.0F)); };
+  std::vector<std::int8_t> result(vectors.size() / 3 * 4, rounded(fourth));
+  for (std::size_t i = 0; i < vectors.size(); ++i)
   {
-    result[i / 3 * 4 + i % 3] =
-      static_cast<std::int8_t>(std::clamp(std::round(127.0F * normals[i]), -127.0F, 127.0F));
+    result[i / 3 * 4 + i % 3] = rounded(vectors[i]);
   }
   return result;
 }
@@ -124,6 +125,10 @@ TexturedSurface sortedForCompression(const TexturedSurface& surface)
   {
     remap(sorted.Normals, 3);
   }
+  if (!sorted.Tangents.empty())
+  {
+    remap(sorted.Tangents, 3);
+  }
   return sorted;
 }
 
@@ -138,13 +143,13 @@ std::string compressVertices(const void* vertices, std::size_t count, std::size_
 }
 
 //------------------------------------------------------------------------------
-std::string compressNormals(const std::vector<float>& normals)
+std::string compressDirections(const std::vector<float>& vectors, float fourth)
 {
-  const std::size_t count = normals.size() / 3;
-  std::vector<float> four(4 * count, 0.0F);
-  for (std::size_t i = 0; i < normals.size(); ++i)
+  const std::size_t count = vectors.size() / 3;
+  std::vector<float> four(4 * count, fourth);
+  for (std::size_t i = 0; i < vectors.size(); ++i)
   {
-    four[i / 3 * 4 + i % 3] = normals[i];
+    four[i / 3 * 4 + i % 3] = vectors[i];
   }
   std::vector<std::int8_t> octahedral(4 * count);
   meshopt_encodeFilterOct(octahedral.data(), count, 4, 8, four.data());
@@ -189,7 +194,7 @@ std::string compressVertices(const void*, std::size_t, std::size_t)
 }
 
 //------------------------------------------------------------------------------
-std::string compressNormals(const std::vector<float>&)
+std::string compressDirections(const std::vector<float>&, float)
 {
   throwWithoutMeshopt();
 }

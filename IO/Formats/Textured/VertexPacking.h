@@ -34,8 +34,9 @@ struct PackedPositions
 PackedPositions packPositions(const std::vector<double>& positions, int bits);
 PackedTexCoords packTexCoords(const std::vector<float>& texCoords, int bits);
 
-/// Round unit vectors to three bytes each, and a fourth that is 0.
-std::vector<std::int8_t> packNormals(const std::vector<float>& normals);
+/// Round unit vectors to three bytes each.
+/// @param[in] fourth  fourth component of each vector, in [-1, 1]: 0 for normals, 1 for tangents
+std::vector<std::int8_t> packDirections(const std::vector<float>& vectors, float fourth);
 
 /// Return whether the build has the library meshoptimizer.
 bool hasMeshopt();
@@ -50,8 +51,9 @@ std::string compressVertices(const void* vertices, std::size_t count, std::size_
 
 /// Convert unit vectors to octahedral coordinates of 8 bits, and compress them; the filter of
 /// EXT_meshopt_compression is OCTAHEDRAL, and a vertex has 4 bytes.
+/// @param[in] fourth  fourth component of each vector, in [-1, 1]: 0 for normals, 1 for tangents
 /// @throws std::runtime_error without the library
-std::string compressNormals(const std::vector<float>& normals);
+std::string compressDirections(const std::vector<float>& vectors, float fourth);
 
 /// Compress ids of the corners of triangles.
 /// @param[in] points  number of points

@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 import conformalsom
 
-from . import jobs, outputs, pictures, surfaces, textures
+from . import details, jobs, outputs, pictures, presets, surfaces, textures
 from .plan import METERS, WrongUsage, expect_directions, expect_utf8, paths_of, positive
 from .progress import Bar, printable
 from .steps import Interrupted
@@ -109,8 +109,19 @@ def arguments(argv):
                         help="number of points of the surface in each written file, within 2 percent, in [500, "
                              "10000002]. Points that are duplicated where a picture is cut are counted, too; "
                              "by default, each triangle of the learned mesh is divided until there are 64002 or more")
-    parser.add_argument("--unit", choices=METERS, default="m",
-                        help="unit of the scan's coordinates; .glb files are in meters, as glTF requires. Default m")
+    parser.add_argument("--preset", choices=presets.PRESETS,
+                        help="values of options for a purpose, unless they are given: web (10,000 points with a normal "
+                             "map, compressed), game (8,000, 2,000 and 500 points with a normal map), print (.3mf and "
+                             ".stl in millimeters), archive (250,000 points)")
+    parser.add_argument("--normal-map", action="store_true", default=None,
+                        help="show the details of the smooth surface on one of N points: write a normal map into .glb "
+                             "files; with --points N")
+    parser.add_argument("--levels", type=positive, metavar="N",
+                        help="number of levels of detail in .glb files (extension MSFT_lod); each has a quarter of the "
+                             "points of the one before; default 1")
+    parser.add_argument("--unit", choices=METERS,
+                        help="unit of the scan's coordinates, default m; .glb files are in meters, as glTF requires, "
+                             ".3mf files in millimeters, and with --preset print also .stl files")
     parser.add_argument("--compress", action="store_true",
                         help="write small .glb files: points and triangles by the extensions KHR_mesh_quantization and "
                              "EXT_meshopt_compression of glTF, and pictures as JPEG")
@@ -137,11 +148,14 @@ def plan_of(options):
     if not (options.output or options.picture or options.report or options.measure):
         raise WrongUsage("there is nothing to do: use --output, --picture, --report or --measure")
     expect_directions(options.view, options.up)
+    presets.apply(options)
     if options.texture and options.texture_size is not None:
         raise WrongUsage("--texture-size is the size of a texture made from the scan's colors; without --texture")
     for name in (*options.scans, *options.output, options.texture, options.report, options.picture):
         expect_utf8(name or "")
     all_paths = paths_of(options)
+    presets.expect_sense(options, [path for paths in all_paths for path in paths.surfaces])
+    details.expect_classes(options)
     if options.picture and not pictures.can_draw():
         raise WrongUsage("--picture needs a display: put xvfb-run before the command")
     return all_paths

@@ -15,6 +15,8 @@ from conformalsom import vtkTexturedSurfaceWriter
 
 from conformalsom.messages import FilterFailed
 
+from .threemf import ThreeMFWriter
+
 PREFIX = ".conformalsom-"  # of what is not finished
 ACCESS_LIST = "system.posix_acl_access"
 
@@ -32,6 +34,7 @@ PLAIN = {
     ".vtp": vtkXMLPolyDataWriter,
     ".vtk": vtkPolyDataWriter,
     ".stl": vtkSTLWriter,
+    ".3mf": ThreeMFWriter,
     **{extension: getattr(conformalsom, name) for extension, name in OURS.items()
        if name not in conformalsom.CLASSES_LEFT_OUT},
 }
@@ -57,10 +60,10 @@ def named(pattern, scan):
     return pattern.replace("{}", os.path.splitext(os.path.basename(scan))[0])
 
 
-def surface_named(pattern, scan):
-    """The same, where a folder stands for .glb files in it."""
+def surface_named(pattern, scan, folder_type):
+    """The same, where a folder stands for files of a type in it."""
     if pattern.endswith(os.sep) or os.path.isdir(pattern):
-        pattern = os.path.join(pattern, "{}.glb")
+        pattern = os.path.join(pattern, "{}" + folder_type)
     return named(pattern, scan)
 
 

@@ -38,7 +38,7 @@ def paths_of(options):
     checks = Checks(inputs_of(options), options.overwrite)
     all_paths = []
     for scan in options.scans:
-        paths = Paths([outputs.surface_named(pattern, scan) for pattern in options.output],
+        paths = Paths([outputs.surface_named(pattern, scan, options.folder_type) for pattern in options.output],
                       outputs.named(options.picture or "", scan))
         for path in paths.surfaces:
             expect_extension(path, outputs.SURFACES, outputs.lacking("Writer"))

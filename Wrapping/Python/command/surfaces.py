@@ -2,12 +2,14 @@
 import typing
 
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
     vtkTexturedSurfaceWriter)
 
-from . import outputs, pictures, report, scan_colors, scan_files, textures
+from . import details, outputs, pictures, report, scan_colors, scan_files, textures
 from .plan import METERS, Paths
 
 
@@ -102,6 +104,65 @@ def one_color():
     return source
 
 
+class Drawn:
+    """Sources of what files show: the closed surface, the cut one, its texture, normal map, and coarser levels."""
+
+    def __init__(self, closed, cut, texture):
+        self.closed, self.cut, self.texture = closed, cut, texture
+        self.picture = texture or one_color()
+        self.normal_map, self.levels = None, []
+
+
+def textured_writer(writer, drawn, path, options, steps):
+    """Connect the writer of surfaces with textures."""
+    writer.SetInputConnection(0, drawn.cut.GetOutputPort())
+    writer.SetInputConnection(1, drawn.picture.GetOutputPort())
+    writer.SetMetersPerUnit(METERS[options.unit])
+    if outputs.extension_of(path) != ".glb":
+        return
+    if drawn.normal_map is not None:
+        writer.SetInputConnection(0, drawn.normal_map.GetOutputPort(1))
+        writer.SetInputConnection(2, drawn.normal_map.GetOutputPort(0))
+    for level in drawn.levels:
+        writer.AddInputConnection(3, level.GetOutputPort())
+    if options.compress and not outputs.compress(writer):
+        steps.warnings.append("--compress: this build lacks the library meshoptimizer, so that the files are "
+                              "only quantized")
+        steps.ended("Compress", steps.warnings[-1:])
+
+
+def in_millimeters(surface, options):
+    """A source of a surface in millimeters."""
+    scale = vtkTransform()
+    scale.Scale(*3 * [1000.0 * METERS[options.unit]])
+    scaled = vtkTransformPolyDataFilter()
+    scaled.SetTransform(scale)
+    scaled.SetInputConnection(surface.GetOutputPort())
+    return scaled
+
+
+def write_surfaces(drawn, task, options, steps):
+    """Write all files of a surface."""
+    written = []
+    for path in task.paths.surfaces:
+        writer = outputs.writer_of(path, painted=drawn.texture is not None)
+        if isinstance(writer, vtkTexturedSurfaceWriter):
+            textured_writer(writer, drawn, path, options, steps)
+        elif isinstance(writer, vtkSurfacePageWriter):
+            writer.SetInputConnection(0, drawn.cut.GetOutputPort())
+            if drawn.texture is not None:
+                writer.SetInputConnection(1, drawn.texture.GetOutputPort())
+            writer.SetViewDirection(options.view)
+            writer.SetViewUp(options.up)
+        elif outputs.extension_of(path) == ".3mf" or options.preset == "print":
+            scaled = in_millimeters(drawn.closed, options)
+            writer.SetInputConnection(scaled.GetOutputPort())
+        else:
+            writer.SetInputConnection(drawn.closed.GetOutputPort())
+        outputs.write(steps, writer, path, task.token, options.overwrite, shared=written)
+        written += outputs.files_of(path)[1:]
+
+
 def make_surface(task, texture, options, steps):
     """Learn a surface from a scan and write it; returns figures for a report, and the scan, mesh and surface.
 
@@ -122,7 +183,8 @@ def make_surface(task, texture, options, steps):
     network = learned_mesh(scan, options)
     steps.run("Learn the mesh", network)
     surface = smooth_surface(network, options.points, steps)
-    painted = texture_map(surface, options, all_around=colors is not None)
+    all_around = colors is not None or options.normal_map
+    painted = texture_map(surface, options, all_around)
     steps.run("Lay the texture", painted)
 
     mesh, result = network, painted
@@ -131,37 +193,22 @@ def make_surface(task, texture, options, steps):
         result = report.measured(steps, "surface", painted, scan)
 
     cut = result
-    if texture is not None or colors is not None:
-        cut = cut_surface(result, options, steps, all_around=colors is not None)
+    if texture is not None or all_around:
+        cut = cut_surface(result, options, steps, all_around)
         if options.points is not None:
-            cut = cut_to_number(network, scan, cut, options, steps, all_around=colors is not None)
+            cut = cut_to_number(network, scan, cut, options, steps, all_around)
         expect_number(cut, options, steps)
     if colors is not None:
         texture = scan_colors.baked(cut, points, colors, options.texture_size)
         steps.run("Bake the scan's colors", texture, lambda: scan_colors.bake(texture, options.texture_size))
 
-    picture = texture or one_color()
-    written = []
-    for path in paths.surfaces:
-        writer = outputs.writer_of(path, painted=texture is not None)
-        if isinstance(writer, vtkTexturedSurfaceWriter):
-            writer.SetInputConnection(0, cut.GetOutputPort())
-            writer.SetInputConnection(1, picture.GetOutputPort())
-            writer.SetMetersPerUnit(METERS[options.unit])
-            if options.compress and outputs.extension_of(path) == ".glb" and not outputs.compress(writer):
-                steps.warnings.append("--compress: this build lacks the library meshoptimizer, so that the files are "
-                                      "only quantized")
-                steps.ended("Compress", steps.warnings[-1:])
-        elif isinstance(writer, vtkSurfacePageWriter):
-            writer.SetInputConnection(0, cut.GetOutputPort())
-            if texture is not None:
-                writer.SetInputConnection(1, texture.GetOutputPort())
-            writer.SetViewDirection(options.view)
-            writer.SetViewUp(options.up)
-        else:
-            writer.SetInputConnection(result.GetOutputPort())
-        outputs.write(steps, writer, path, task.token, options.overwrite, shared=written)
-        written += outputs.files_of(path)[1:]
+    drawn = Drawn(result, cut, texture)
+    if options.normal_map:
+        drawn.normal_map = details.normal_map(cut, smooth_surface(network, None, steps), steps)
+    for number in details.numbers_of_points(options):
+        level = details.with_picture_of(painted, smooth_surface(network, number, steps), steps)
+        drawn.levels.append(cut_surface(level, options, steps, all_around))
+    write_surfaces(drawn, task, options, steps)
     learned, smoothed, laid = (stage.GetOutputDataObject(0) for stage in (mesh, result, cut))
     if paths.picture:
         image = texture.GetOutputDataObject(0) if texture else None
