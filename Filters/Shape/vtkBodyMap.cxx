@@ -8,9 +8,9 @@
 #include "Glue/Run.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Sphere/SphereCoverage.h"
-#include "Texture/BodyCoordinates.h"
-#include "Texture/BodyRelief.h"
-#include "Texture/Planetocentric.h"
+#include "Body/BodyCoordinates.h"
+#include "Body/BodyRelief.h"
+#include "Body/Planetocentric.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

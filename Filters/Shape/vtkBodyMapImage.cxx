@@ -6,8 +6,8 @@
 #include "Glue/Points.h"
 #include "Glue/Run.h"
 #include "Glue/SphereImages.h"
-#include "Texture/MapImage.h"
-#include "Texture/Planetocentric.h"
+#include "Body/MapImage.h"
+#include "Body/Planetocentric.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

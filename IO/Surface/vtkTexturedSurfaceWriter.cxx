@@ -225,6 +225,12 @@ void vtkTexturedSurfaceWriter::AddLevelConnection(vtkAlgorithmOutput* algOutput)
 }
 
 //------------------------------------------------------------------------------
+void vtkTexturedSurfaceWriter::AddLevelData(vtkPolyData* level)
+{
+  this->AddInputDataInternal(3, level);
+}
+
+//------------------------------------------------------------------------------
 bool vtkTexturedSurfaceWriter::GetHasMeshopt()
 {
   return conformal::hasMeshopt();

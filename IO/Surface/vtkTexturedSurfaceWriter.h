@@ -63,6 +63,7 @@ struct TexturedSurface;
 }
 class vtkAlgorithmOutput;
 class vtkImageData;
+class vtkPolyData;
 
 class VTKIOSURFACE_EXPORT vtkTexturedSurfaceWriter : public vtkSurfaceFileWriter
 {
@@ -87,10 +88,13 @@ public:
   void SetNormalMapData(vtkImageData* normalMap);
   ///@}
 
+  ///@{
   /**
    * Add a version of the surface with fewer triangles than those before. Used only for glTF.
    */
   void AddLevelConnection(vtkAlgorithmOutput* algOutput);
+  void AddLevelData(vtkPolyData* level);
+  ///@}
 
   ///@{
   /**

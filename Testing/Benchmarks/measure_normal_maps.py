@@ -22,6 +22,7 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkJPEGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkTexture, vtkWindowToImageFilter)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
@@ -29,6 +30,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfaceNormalMap)
 from conformalsom.command.scan_files import scan_reader
+from conformalsom.command.textures import image_of
 from helpers import builtin_figure
 
 FIGURES = ("bear", "dancer")
@@ -39,10 +41,10 @@ BACKGROUND = (0.0, 0.0, 255.0)
 
 def directions(count):
     """Unit vectors spread evenly over the sphere, on a Fibonacci spiral."""
-    z = 1.0 - (2.0 * np.arange(count) + 1.0) / count
+    y = 1.0 - (2.0 * np.arange(count) + 1.0) / count
     angle = np.pi * (3.0 - np.sqrt(5.0)) * np.arange(count)
-    radius = np.sqrt(1.0 - z * z)
-    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle), z])
+    radius = np.sqrt(1.0 - y * y)
+    return np.column_stack([radius * np.sin(angle), y, radius * np.cos(angle)])
 
 
 class Studio:
@@ -153,14 +155,14 @@ def measure(name, cloud, numbers, views, side, folder):
         print(f"| {name} | {detail.GetNumberOfPoints():,} | {surface.GetNumberOfPoints():,} | {side} | "
               + " | ".join(f"{value:.1f}" for value in ratios) + f" | {seconds:.2f} |", flush=True)
         if folder:
-            save(os.path.join(folder, f"{name}_{number}.png"), references[0], plain[0], mapped[0])
+            middle = len(views) // 2
+            save(os.path.join(folder, f"{name}_{number}.jpg"), references[middle], plain[middle], mapped[middle])
 
 
-def save(path, *pictures):
-    """Write pictures side by side."""
-    from conformalsom.command.textures import image_of
-    from vtkmodules.vtkIOImage import vtkPNGWriter
-    writer = vtkPNGWriter()
+def save(path, *drawn):
+    """Write pictures side by side, on white."""
+    pictures = [np.where((picture == BACKGROUND).all(axis=2)[:, :, None], 255.0, picture) for picture in drawn]
+    writer = vtkJPEGWriter()
     writer.SetInputData(image_of(np.ascontiguousarray(np.hstack(pictures).astype(np.uint8))))
     writer.SetFileName(path)
     writer.Write()
@@ -173,7 +175,7 @@ def main():
     parser.add_argument("--points", nargs="+", type=int, default=POINTS, metavar="N")
     parser.add_argument("--views", type=int, default=50, metavar="N")
     parser.add_argument("--side", type=int, default=1024, metavar="N", help="width of the normal map in texels")
-    parser.add_argument("--pictures", metavar="FOLDER", help="write the first view of each row")
+    parser.add_argument("--pictures", metavar="FOLDER", help="write a view from the side for each row")
     options = parser.parse_args()
     print("| scan | many | points | side | plain | mapped | plain inside | mapped inside | seconds |\n"
           "| --- | --- | --- | --- | --- | --- | --- | --- | --- |")

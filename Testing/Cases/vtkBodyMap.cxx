@@ -4,7 +4,7 @@
 #include "FuzzFilter.h"
 #include "Properties.h"
 #include "Surfaces.h"
-#include "Texture/BodyCoordinates.h"
+#include "Body/BodyCoordinates.h"
 #include "vtkBodyMapImage.h"
 
 #include "vtkImageData.h"

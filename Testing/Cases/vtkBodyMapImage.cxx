@@ -2,7 +2,7 @@
 
 #include "Properties.h"
 #include "Surfaces.h"
-#include "Texture/MapImage.h"
+#include "Body/MapImage.h"
 
 #include "vtkPolyData.h"
 

@@ -159,7 +159,8 @@ class Case:
     def call(self):
         """Options of the command for it, as argparse gives them."""
         options = argparse.Namespace(
-            scans=[self.scan], output=[], picture=None, report=None, texture=self.texture, overwrite=self.dice.random() < 0.8)
+            scans=[self.scan], output=[], picture=None, report=None, texture=self.texture,
+            folder_type=".glb", overwrite=self.dice.random() < 0.8)
         for _ in range(self.dice.choice((1, 1, 2))):
             try:
                 name = self.output()

@@ -595,6 +595,9 @@ CASES = {
         inputs(lambda: chain()["vtkSphericalTextureMap"], lambda: bear(BEAR)),
         inputs(mapped, lambda: bear(SMALL_BEAR), NumberOfSamples=2000),
         others={"surface": lambda object_: object_.SetInputDataObject(1, mapped(3, 0.1))}),
+    "vtkSurfaceNormalMap": Filter(
+        inputs(lambda: chain()["vtkSphericalTextureMap"], mapped),
+        inputs(lambda: chain()["vtkSphericalTextureMap"], mapped, ImageSize=(48, 40))),
     "vtkSurfaceShape": Filter(inputs(mapped), others={"scales": properties_of(CurvatureScale=0.1, DepthScale=0.2)}),
 
     # Writers.

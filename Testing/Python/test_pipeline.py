@@ -20,7 +20,7 @@ from conformalsom import (
     vtkAdaptiveSphere, vtkBodyMap, vtkBodyMapImage, vtkConformalDistortion, vtkConformalSOM, vtkConsistentRemesh, vtkCurvedSeamlessSurface, vtkGenusZeroCheck,
     vtkFreeSurferWriter, vtkGenusZeroHull, vtkGenusZeroRepair, vtkGeodesicSphereSource, vtkGIFTIWriter,
     vtkGlobalConformalMap, vtkSphericalAlignment, vtkSurfaceHarmonics, vtkSurfaceHarmonicsSource, vtkSphericalMorph, vtkSphericalRegistration, vtkSphericalResample, vtkSphericalTemplate, vtkSphericalTextureBlend, vtkSphericalTextureImage,
-    vtkSphericalTextureMap, vtkSurfaceMismatch, vtkSurfaceShape)
+    vtkSphericalTextureMap, vtkSurfaceMismatch, vtkSurfaceNormalMap, vtkSurfaceShape)
 
 PROMISE = os.path.join(
     os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Pipeline.md")
@@ -107,6 +107,11 @@ def beside_the_chain(stages):
     blend.SetBackViewDirection(0, 0, -1)
     blend.SetImageSize(30, 20)
     blend.Update()
+    normal_map = vtkSurfaceNormalMap()
+    normal_map.SetInputConnection(stages["vtkSphericalTextureMap"].GetOutputPort())
+    normal_map.SetDetailConnection(stages["vtkCurvedSeamlessSurface"].GetOutputPort())
+    normal_map.SetImageSize(30, 20)
+    normal_map.Update()
     adaptive = vtkAdaptiveSphere()
     adaptive.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     adaptive.SetNumberOfPoints(2000)
@@ -159,7 +164,7 @@ def beside_the_chain(stages):
     repair = vtkGenusZeroRepair()
     repair.SetInputData(torus())
     repair.Update()
-    filters = (check, shape, blend, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart)
+    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

@@ -19,7 +19,8 @@ sys.path.insert(0, os.path.join(SOURCE, "Wrapping", "Describe"))
 import describe
 import proxies
 
-LEFT_OUT = {"Controller"}  # ParaView's own processes, which is the default
+# ParaView's own processes are the default controller. A panel selects one source for each input.
+LEFT_OUT = {"Controller", "LevelConnection", "LevelData"}
 VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty")
 LONGEST_TEXT = 640  # of a tooltip
 CLASSES = describe.classes()
@@ -127,10 +128,12 @@ class TestProxies(unittest.TestCase):
                     vtkDataObjectTypes.NewDataObject(port.types[0]))
                 with self.subTest(f"{class_.name}.{port.name}"):
                     producer = vtkTrivialProducer()
-                    getattr(object_, f"Set{port.name}Connection")(producer.GetOutputPort())
+                    verb = "Add" if port.repeatable else "Set"
+                    getattr(object_, f"{verb}{port.name}Connection")(producer.GetOutputPort())
                     self.assertIs(object_.GetInputAlgorithm(port.index, 0), producer)
-                    getattr(object_, f"Set{port.name}Data")(data)
-                    self.assertIs(object_.GetInputDataObject(port.index, 0), data)
+                    getattr(object_, f"{verb}{port.name}Data")(data)
+                    last = object_.GetNumberOfInputConnections(port.index) - 1
+                    self.assertIs(object_.GetInputDataObject(port.index, last), data)
 
     def test_files_find_their_readers_and_writers(self):
         for class_ in CLASSES.values():

@@ -221,20 +221,20 @@ class Reader:
     def inputs(self, texts):
         """Describe the input ports.
 
-        All but the first are named as SetNameConnection(), the comment of which is their text; that of the
-        first is the class comment's, up to the list of arrays that the input has.
+        All but the first are named as SetNameConnection() or AddNameConnection(), the comment of which is their text;
+        that of the first is the class comment's, up to the list of arrays that the input has.
         """
         names = {0: "Input"}
         texts = {0: before_list(texts.get(("Input", 0), ""))}
         for method in self.methods:
-            if method.startswith("Set") and method.endswith("Connection"):
+            if re.fullmatch("(Set|Add)[A-Z].*Connection", method) and method != "AddInputConnection":
                 producer = vtkTrivialProducer()
                 getattr(self.object, method)(producer.GetOutputPort())
                 [port] = [port for port in range(1, self.object.GetNumberOfInputPorts())
                           if self.object.GetNumberOfInputConnections(port)
                           and self.object.GetInputAlgorithm(port, 0) is producer]
                 self.object.SetInputConnection(port, None)
-                names[port] = method[len("Set"):-len("Connection")]
+                names[port] = method[len("Set"):-len("Connection")]  # as long as Add
                 texts[port] = self.text(names[port], method)
         for port in range(self.object.GetNumberOfInputPorts()):
             if port not in names:
@@ -252,7 +252,10 @@ class Reader:
             yield Port(port, "", [type_] if type_ else [], False, False, texts.get(("Output", port), ""))
 
     def order(self, inputs, properties):
-        """Return the names of inputs and properties in the header's order."""
+        """Return the names of inputs and properties in the header's order.
+
+        Inputs of AddNameConnection() are left out: ParaView's panels select one source for each input.
+        """
         known = {**{f"Set{port.name}Connection": port.name for port in inputs if port.index},
                  **{property_.add or "Set" + property_.name: property_.name for property_ in properties}}
         return ["Input"] * bool(inputs) + [known[method] for method in self.methods if method in known]

@@ -229,9 +229,10 @@ class Surface:
         return Harmonics(np.stack(columns, axis=1), Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts]))
 
     def save(self, path: Path, *, overwrite: bool = True) -> None:
-        """Write the surface to a file: .glb, .obj, .ply, .off, .m, .gii, .html, .stl, .vtp or .vtk.
+        """Write the surface to a file: .glb, .obj, .ply, .off, .m, .gii, .html, .stl, .3mf, .vtp or .vtk.
 
-        A picture that paint() laid on the surface is written by .glb, .obj, .ply and .html. The file is written
+        A picture that paint() laid on the surface is written by .glb, .obj, .ply and .html. Coordinates in .3mf files
+        are millimeters; those of the surface are written as they are. The file is written
         completely or not at all. Raises FileExistsError if there is a file and overwrite is False, OSError if
         the file cannot be written, and ValueError for other extensions. Example:
 

@@ -1,5 +1,5 @@
-/// Compute normal maps, \cite Cohen1998: images with the normals of a detailed surface, for a
-/// surface of fewer triangles. The normals are relative to the tangents of the surface that is
+/// Compute normal maps as in \cite Cohen1998 for a surface of few triangles. A normal map is an
+/// image with the normals of a detailed surface. The normals are relative to the tangents of the surface that is
 /// drawn, as in \cite Mikkelsen2008.
 
 #ifndef ConformalNormalMap_h

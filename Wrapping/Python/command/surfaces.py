@@ -74,18 +74,19 @@ def cut_surface(result, options, steps, all_around):
     return cut
 
 
-def cut_to_number(mesh, scan, cut, options, steps, all_around):
-    """A cut surface with the number of points of --points, where points on both sides of a cut count twice."""
-    number, surface = options.points, None
+def cut_to_number(cut, number, make):
+    """A cut surface with a number of points, where points on both sides of a cut count twice.
+
+    make(n) returns the cut surface made of one with n points; cut is that of make(number).
+    """
+    asked = number
     for _ in range(MAXIMUM_ROUNDS):
         found = cut.GetOutput().GetNumberOfPoints()
-        if abs(found - options.points) <= ROUNDS_END * options.points:
+        next_number = max(asked + number - found, MINIMUM_POINTS)
+        if abs(found - number) <= ROUNDS_END * number or next_number == asked:
             break
-        number = max(number + options.points - found, MINIMUM_POINTS)
-        surface = smooth_surface(mesh, number, steps)
-        cut = cut_surface(surface, options, steps, all_around)
-    if surface is not None and (options.measure or options.report):
-        cut = cut_surface(report.measured(steps, "surface", surface, scan), options, steps, all_around)
+        asked = next_number
+        cut = make(asked)
     return cut
 
 
@@ -194,9 +195,17 @@ def make_surface(task, texture, options, steps):
 
     cut = result
     if texture is not None or all_around:
+        made_anew = []
+
+        def cut_anew(number):
+            made_anew.append(smooth_surface(network, number, steps))
+            return cut_surface(made_anew[-1], options, steps, all_around)
         cut = cut_surface(result, options, steps, all_around)
         if options.points is not None:
-            cut = cut_to_number(network, scan, cut, options, steps, all_around)
+            cut = cut_to_number(cut, options.points, cut_anew)
+        if made_anew and (options.measure or options.report):
+            measured = report.measured(steps, "surface", made_anew[-1], scan)
+            cut = cut_surface(measured, options, steps, all_around)
         expect_number(cut, options, steps)
     if colors is not None:
         texture = scan_colors.baked(cut, points, colors, options.texture_size)
@@ -206,16 +215,18 @@ def make_surface(task, texture, options, steps):
     if options.normal_map:
         drawn.normal_map = details.normal_map(cut, smooth_surface(network, None, steps), steps)
     for number in details.numbers_of_points(options):
-        level = details.with_picture_of(painted, smooth_surface(network, number, steps), steps)
-        drawn.levels.append(cut_surface(level, options, steps, all_around))
+        def level(count):
+            surface = details.with_picture_of(painted, smooth_surface(network, count, steps), steps)
+            return cut_surface(surface, options, steps, all_around)
+        drawn.levels.append(cut_to_number(level(number), number, level))
     write_surfaces(drawn, task, options, steps)
     learned, smoothed, laid = (stage.GetOutputDataObject(0) for stage in (mesh, result, cut))
     if paths.picture:
         image = texture.GetOutputDataObject(0) if texture else None
-        drawn = pictures.draw_stages(
+        stages = pictures.draw_stages(
             points, learned, smoothed, laid, image, colors, options.view, options.up)
         writer = pictures.picture_writer(paths.picture)
-        writer.SetInputConnection(drawn.GetOutputPort())
+        writer.SetInputConnection(stages.GetOutputPort())
         outputs.write(steps, writer, paths.picture, task.token, options.overwrite)
     entry = {
         "Scan": scan_path,

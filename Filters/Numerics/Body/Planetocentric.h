@@ -6,8 +6,8 @@
 
 #include "Base/Run.h"
 #include "Mesh/Mesh.h"
-#include "Texture/BodyCoordinates.h"
-#include "Texture/MapImage.h"
+#include "Body/BodyCoordinates.h"
+#include "Body/MapImage.h"
 
 namespace conformal
 {

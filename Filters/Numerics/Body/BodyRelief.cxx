@@ -1,4 +1,4 @@
-#include "Texture/BodyRelief.h"
+#include "Body/BodyRelief.h"
 
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/VertexNormals.h"

@@ -1,6 +1,6 @@
-#include "Texture/MapImage.h"
+#include "Body/MapImage.h"
 
-#include "Texture/BodyCoordinates.h"
+#include "Body/BodyCoordinates.h"
 
 #include <cmath>
 

@@ -8,7 +8,7 @@
 
 #include "Base/Run.h"
 #include "Mesh/Mesh.h"
-#include "Texture/MapProjection.h"
+#include "Body/MapProjection.h"
 #include "Texture/PixelGrid.h"
 #include "Texture/SphericalTextureImage.h"
 

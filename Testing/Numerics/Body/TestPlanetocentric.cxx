@@ -1,4 +1,4 @@
-#include "Texture/Planetocentric.h"
+#include "Body/Planetocentric.h"
 
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"

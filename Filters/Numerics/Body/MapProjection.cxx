@@ -1,4 +1,4 @@
-#include "Texture/MapProjection.h"
+#include "Body/MapProjection.h"
 
 #include <algorithm>
 #include <array>

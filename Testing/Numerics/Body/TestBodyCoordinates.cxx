@@ -1,4 +1,4 @@
-#include "Texture/BodyCoordinates.h"
+#include "Body/BodyCoordinates.h"
 
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"

@@ -1,4 +1,4 @@
-#include "Texture/BodyCoordinates.h"
+#include "Body/BodyCoordinates.h"
 
 #include "Base/Steps.h"
 #include "Mesh/GenusZeroCheck.h"

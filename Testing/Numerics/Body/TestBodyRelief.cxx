@@ -1,4 +1,4 @@
-#include "Texture/BodyRelief.h"
+#include "Body/BodyRelief.h"
 
 #include "Mesh/GeodesicSphere.h"
 

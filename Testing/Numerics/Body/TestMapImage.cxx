@@ -1,8 +1,8 @@
-#include "Texture/MapImage.h"
+#include "Body/MapImage.h"
 
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
-#include "Texture/BodyCoordinates.h"
+#include "Body/BodyCoordinates.h"
 
 #include <gtest/gtest.h>
 

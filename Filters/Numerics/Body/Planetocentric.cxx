@@ -1,4 +1,4 @@
-#include "Texture/Planetocentric.h"
+#include "Body/Planetocentric.h"
 
 #include "Base/Steps.h"
 #include "Search/OutermostHits.h"
