@@ -3,6 +3,7 @@
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/SurfaceData.h"
+#include "Glue/FailedRequests.h"
 #include "Glue/FileErrors.h"
 #include "Glue/Run.h"
 #include "Glue/SurfaceConversions.h"
@@ -106,7 +107,7 @@ int vtkSurfaceFileReader::RequestData(
   if (outcome.ErrorCode != vtkErrorCode::NoError)
   {
     vtkErrorMacro(<< outcome.Message);
-    return 0;
+    return glue::FailedRequest(this);
   }
   this->WarnOfAll(fileName, result.Data, output);
   return 1;
