@@ -23,11 +23,14 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 
 namespace
 {
+constexpr std::size_t FirstLines = std::size_t(1) << 14; ///< bytes by which formats are recognized
+
 conformal::FilePiece PieceOf(vtkInformation* info)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -74,9 +77,17 @@ vtkStringArray* vtkSurfaceFileReader::GetReadFileNames()
 //------------------------------------------------------------------------------
 bool vtkSurfaceFileReader::StartsLike(const char* name, bool (*looksRight)(std::string_view))
 {
-  constexpr std::size_t firstLines = std::size_t(1) << 14;
   conformal::ByteReader input;
-  return name && conformal::openFile(name, input).ok() && looksRight(input.peek(firstLines));
+  return name && conformal::openFile(name, input).ok() && looksRight(input.peek(FirstLines));
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceFileReader::StartsLike(
+  const char* name, bool (*looksRight)(std::string_view, std::uint64_t))
+{
+  conformal::ByteReader input;
+  return name && conformal::openFile(name, input).ok() &&
+    looksRight(input.peek(FirstLines), input.size());
 }
 
 //------------------------------------------------------------------------------

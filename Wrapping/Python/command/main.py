@@ -109,8 +109,9 @@ def arguments(argv):
                         help="number of points of the surface in each written file, within 2 percent, in [500, "
                              "10000002]. Points that are duplicated where a picture is cut are counted, too; "
                              "by default, each triangle of the learned mesh is divided until there are 64002 or more")
-    parser.add_argument("--unit", choices=METERS, default="m",
-                        help="unit of the scan's coordinates; .glb files are in meters, as glTF requires. Default m")
+    parser.add_argument("--unit", choices=METERS,
+                        help="unit of the scan's coordinates; .glb files are in meters, as glTF requires. Default: that "
+                             "of the label beside a plate model (.lbl or .xml), else m")
     parser.add_argument("--compress", action="store_true",
                         help="write small .glb files: points and triangles by the extensions KHR_mesh_quantization and "
                              "EXT_meshopt_compression of glTF, and pictures as JPEG")

@@ -7,8 +7,8 @@ from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
     vtkTexturedSurfaceWriter)
 
-from . import outputs, pictures, report, scan_colors, scan_files, textures
-from .plan import METERS, Paths
+from . import labels, outputs, pictures, report, scan_colors, scan_files, textures
+from .plan import Paths
 
 
 AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
@@ -118,6 +118,7 @@ def make_surface(task, texture, options, steps):
     if points.GetNumberOfPoints() == 0:
         raise ValueError(f"{scan_path}: no points found")
     colors = scan_colors.colors_of(points) if texture is None else None
+    meters = labels.meters_of(points, options.unit, "m", steps)
 
     network = learned_mesh(scan, options)
     steps.run("Learn the mesh", network)
@@ -147,7 +148,7 @@ def make_surface(task, texture, options, steps):
         if isinstance(writer, vtkTexturedSurfaceWriter):
             writer.SetInputConnection(0, cut.GetOutputPort())
             writer.SetInputConnection(1, picture.GetOutputPort())
-            writer.SetMetersPerUnit(METERS[options.unit])
+            writer.SetMetersPerUnit(meters)
             if options.compress and outputs.extension_of(path) == ".glb" and not outputs.compress(writer):
                 steps.warnings.append("--compress: this build lacks the library meshoptimizer, so that the files are "
                                       "only quantized")
