@@ -57,7 +57,8 @@ std::string LabelOf(const std::string& name)
 //------------------------------------------------------------------------------
 int vtkPlateModelReader::CanReadFile(const char* name)
 {
-  return name && !IsOBJ(name) && Superclass::StartsLike(name, conformal::looksLikePlateModel) ? 1 : 0;
+  return name && !IsOBJ(name) && Superclass::StartsLike(name, conformal::looksLikePlateModel) ? 1
+                                                                                              : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -97,8 +98,8 @@ void vtkPlateModelReader::AddLabel(const std::string& name, vtkPolyData* output)
     return;
   }
   conformal::PlateModelLabel label;
-  const conformal::ParseStatus status = conformal::statusOf(
-    [&]() { label = conformal::parsePlateModelLabel(input.peek(maximumBytes).substr(0, maximumBytes)); });
+  const conformal::ParseStatus status = conformal::statusOf([&]()
+    { label = conformal::parsePlateModelLabel(input.peek(maximumBytes).substr(0, maximumBytes)); });
   if (!status.ok())
   {
     vtkWarningMacro(<< name << ": " << status.text() << "; the label is ignored");

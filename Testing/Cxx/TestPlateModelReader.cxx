@@ -75,7 +75,8 @@ TEST(PlateModelReader, ReadsTheLabelBesideTheTable)
 {
   const TemporaryFolder folder;
   const std::string table = folder.write("body.tab", samples::TaggedPlates());
-  const auto read = [&]() { return Read<vtkPlateModelReader>(table).Output->GetFieldData()->GetNumberOfArrays(); };
+  const auto read = [&]()
+  { return Read<vtkPlateModelReader>(table).Output->GetFieldData()->GetNumberOfArrays(); };
   EXPECT_EQ(read(), 0);
   const vtkNew<vtkPlateModelReader> reader;
   reader->SetFileName(table.c_str());
@@ -89,7 +90,8 @@ TEST(PlateModelReader, ReadsTheLabelBesideTheTable)
   vtkFieldData* data = reading.Output->GetFieldData();
   ASSERT_EQ(data->GetNumberOfArrays(), 2);
   EXPECT_EQ(data->GetArray("MetersPerUnit")->GetComponent(0, 0), 1000.0);
-  EXPECT_EQ(vtkStringArray::SafeDownCast(data->GetAbstractArray("TargetName"))->GetValue(0), "433 EROS");
+  EXPECT_EQ(
+    vtkStringArray::SafeDownCast(data->GetAbstractArray("TargetName"))->GetValue(0), "433 EROS");
   folder.write("body.lbl", "nothing of interest\n");
   EXPECT_EQ(read(), 0);
 }
@@ -98,8 +100,7 @@ TEST(PlateModelReader, WarnsOfALabelWithTwoUnits)
 {
   const TemporaryFolder folder;
   folder.write("body.xml", "<a><unit>km</unit><unit>m</unit></a>");
-  const Reading reading =
-    Read<vtkPlateModelReader>(folder.write("body.tab", samples::VerPlates()));
+  const Reading reading = Read<vtkPlateModelReader>(folder.write("body.tab", samples::VerPlates()));
   EXPECT_EQ(reading.Output->GetNumberOfPoints(), 4);
   EXPECT_EQ(reading.Output->GetFieldData()->GetNumberOfArrays(), 0);
   reading.Seen.ExpectWarning("both kilometers and meters");

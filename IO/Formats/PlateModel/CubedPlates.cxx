@@ -46,8 +46,8 @@ CubedPlates connectCubedPlates(const std::vector<double>& grids, std::size_t q)
     const Position position = positionOf(grids, k);
     const auto next = static_cast<std::int64_t>(plates.Points.size() / 3);
     const bool isBorder = i == 0 || i == q || j == 0 || j == q;
-    const auto found = isBorder ? borders.emplace(position, next)
-                                : std::make_pair(borders.end(), true);
+    const auto found =
+      isBorder ? borders.emplace(position, next) : std::make_pair(borders.end(), true);
     idOf[k] = found.second ? next : found.first->second;
     if (found.second)
     {

@@ -180,8 +180,7 @@ private:
     const double first = this->FirstIndex;
     const bool hasIndex = width == 4;
     const bool isRight = row.size() == width && (width == 3 || hasIndex) &&
-      (!hasIndex ||
-        ((first == 0.0 || first == 1.0) && row[0] == first + static_cast<double>(i))) &&
+      (!hasIndex || ((first == 0.0 || first == 1.0) && row[0] == first + static_cast<double>(i))) &&
       std::all_of(row.begin(), row.end(), [](double x) { return std::isfinite(x); });
     if (!isRight)
     {
@@ -358,7 +357,7 @@ private:
   std::size_t NumberOfPoints = 0;
   std::size_t VertexColumns = 0; ///< number of columns of the rows of vertices
   double FirstIndex = 0.0;       ///< first number of the first row of vertices
-  bool HasZero = false; ///< vertices are numbered from 0
+  bool HasZero = false;          ///< vertices are numbered from 0
 };
 }
 

@@ -23,10 +23,10 @@ namespace conformal
 /// is the number of vertices. The 3 may also be on a separate line before A B C, as in files with
 /// the extension .ver. Vertices are numbered from 0 if a plate contains vertex 0, otherwise from 1.
 ///
-/// Two further kinds of files are read. Rows of one kind have a tag: v X Y Z is a vertex, and f A B C
-/// a plate, whose vertices are numbered from 1. All vertices precede all plates. Blank lines and
-/// comments, which begin with #, are ignored. Files of the other kind are implicitly connected
-/// quadrilateral models (ICQ): a number q, and 6 (q + 1)^2 vertices X Y Z without plates
+/// Two further kinds of files are read. Rows of one kind have a tag: v X Y Z is a vertex, and
+/// f A B C a plate, whose vertices are numbered from 1. All vertices precede all plates. Blank
+/// lines and comments, which begin with #, are ignored. Files of the other kind are implicitly
+/// connected quadrilateral models (ICQ): a number q, and 6 (q + 1)^2 vertices X Y Z without plates
 /// (CubedPlates.h).
 ///
 /// Points are Float64, in the length unit of the file.
@@ -35,10 +35,10 @@ SurfaceResult parsePlateModel(
 
 /// Test whether the first bytes of a file identify a plate model. One of these must be true:
 /// - The bytes begin with a line of one or two counts: the number of vertices, and optionally the
-///   number of plates. Three rows of vertices follow. With only one count, the rows have an index I.
+///   number of plates. Three rows of vertices follow. With only one count, the rows have an index.
 /// - The bytes begin with three rows v X Y Z. OBJ files may begin in this way, too.
-/// - The bytes begin with a number q and three rows X Y Z, and the size of the file is about that of
-///   6 (q + 1)^2 such rows.
+/// - The bytes begin with a number q and three rows X Y Z, and the size of the file is about that
+///   of 6 (q + 1)^2 such rows.
 /// @param[in] size  size of the file [bytes]; 0: the bytes are the whole file
 bool looksLikePlateModel(std::string_view start, std::uint64_t size = 0);
 }

@@ -34,8 +34,8 @@ inline const std::string& TaggedPlates()
   return text;
 }
 
-// Return an implicitly connected quadrilateral model: grids of (q + 1) x (q + 1) vertices on the six
-// sides of the cube [-1, 1]^3. Rows and columns of all sides are oriented alike.
+// Return an implicitly connected quadrilateral model: grids of (q + 1) x (q + 1) vertices on the
+// six sides of the cube [-1, 1]^3. Rows and columns of all sides are oriented alike.
 inline std::string CubeModel(int q, bool isReversed = false)
 {
   std::string text = "  " + std::to_string(q) + "\n";
@@ -103,8 +103,8 @@ inline std::vector<std::string> BadPlateModelFiles()
     replaced(tagged, "f 1 2 4", "f 1 2 0"), replaced(tagged, "f 1 2 4", "f 1 2 2.5"),
     replaced(tagged, "f 1 2 4", "f 1 2"), replaced(tagged, "f 1 2 4", "f 1 2 3 4"),
     replaced(tagged, "f 1 2 4", "f 1/1 2/2 4/4"), replaced(tagged, "f 1 2 4", "v 1 2 4"),
-    replaced(tagged, "f 1 2 4", "vt 1 2"), replaced(tagged, "v 0 1 0", "1 0 1 0"),
-    cube + "1 2 3\n", cube.substr(0, cube.size() - 30), replaced(cube, "  2\n", "  3\n"),
+    replaced(tagged, "f 1 2 4", "vt 1 2"), replaced(tagged, "v 0 1 0", "1 0 1 0"), cube + "1 2 3\n",
+    cube.substr(0, cube.size() - 30), replaced(cube, "  2\n", "  3\n"),
     replaced(cube, "  2\n", "  4000000000\n"), replaced(cube, "1.000000\n", "1.000000 1\n"),
     replaced(cube, "1.000000\n", "inf\n"), replaced(cube, "1.000000\n", "\n") };
 }

@@ -10,21 +10,25 @@ using conformal::PlateModelLabel;
 
 namespace
 {
-const std::string PDS3 = "PDS_VERSION_ID = PDS3\r\n/* UNIT = METER */\r\nTARGET_NAME   = \"433 EROS\"\r\n"
-                         "OBJECT = TABLE\r\n  OBJECT = COLUMN\r\n    NAME = \"X\"\r\n    UNIT = KILOMETER\r\n"
-                         "  END_OBJECT = COLUMN\r\n  OBJECT = COLUMN\r\n    UNIT = \"N/A\"\r\n"
-                         "  END_OBJECT = COLUMN\r\nEND_OBJECT = TABLE\r\nEND\r\n";
+const std::string PDS3 =
+  "PDS_VERSION_ID = PDS3\r\n/* UNIT = METER */\r\nTARGET_NAME   = \"433 EROS\"\r\n"
+  "OBJECT = TABLE\r\n  OBJECT = COLUMN\r\n    NAME = \"X\"\r\n    UNIT = KILOMETER\r\n"
+  "  END_OBJECT = COLUMN\r\n  OBJECT = COLUMN\r\n    UNIT = \"N/A\"\r\n"
+  "  END_OBJECT = COLUMN\r\nEND_OBJECT = TABLE\r\nEND\r\n";
 const std::string PDS4 =
-  "<?xml version=\"1.0\"?>\n<!-- <unit>m</unit> -->\n<Product_Observational>\n<title><name>No</name></title>"
-  "<Target_Identification>\n <name> 101955 Bennu </name><type>Asteroid</type></Target_Identification>\n"
+  "<?xml version=\"1.0\"?>\n<!-- <unit>m</unit> "
+  "-->\n<Product_Observational>\n<title><name>No</name></title>"
+  "<Target_Identification>\n <name> 101955 Bennu "
+  "</name><type>Asteroid</type></Target_Identification>\n"
   "<Field_Character><name>x</name><pds:unit nil=\"no\">km</pds:unit></Field_Character>\n"
   "<Field_Character><name>n</name><unit>none</unit></Field_Character>\n</Product_Observational>\n";
 }
 
 TEST(PlateModelLabel, HasTheUnitAndTheBodyOfBothVersions)
 {
-  for (const auto& [text, name] : { std::make_pair(PDS3, "433 EROS"), std::make_pair(PDS4, "101955 Bennu"),
-         std::make_pair("\xEF\xBB\xBF \n" + PDS4, "101955 Bennu") })
+  for (const auto& [text, name] :
+    { std::make_pair(PDS3, "433 EROS"), std::make_pair(PDS4, "101955 Bennu"),
+      std::make_pair("\xEF\xBB\xBF \n" + PDS4, "101955 Bennu") })
   {
     const PlateModelLabel label = parsePlateModelLabel(text);
     EXPECT_EQ(label.TargetName, name);
@@ -51,7 +55,8 @@ TEST(PlateModelLabel, KnowsTheSpellingsOfUnits)
 
 TEST(PlateModelLabel, RefusesToChooseBetweenUnits)
 {
-  for (const char* text : { "UNIT = KM\nUNIT = M\nUNIT = KM\n", "<a><unit>m</unit><unit>km</unit></a>" })
+  for (const char* text :
+    { "UNIT = KM\nUNIT = M\nUNIT = KM\n", "<a><unit>m</unit><unit>km</unit></a>" })
   {
     const PlateModelLabel label = parsePlateModelLabel(text);
     EXPECT_TRUE(label.HasSeveralUnits);
@@ -70,7 +75,8 @@ TEST(PlateModelLabel, ReadsBrokenTexts)
       parsePlateModelLabel(whole.substr(size));
     }
   }
-  for (const char* text : { "", "<", "<>", "</>", "<:>", "<unit", "=", "= =", "/*", "<!--", "TARGET_NAME = \"" })
+  for (const char* text :
+    { "", "<", "<>", "</>", "<:>", "<unit", "=", "= =", "/*", "<!--", "TARGET_NAME = \"" })
   {
     EXPECT_EQ(parsePlateModelLabel(text).MetersPerUnit, 0.0) << text;
   }

@@ -30,9 +30,8 @@ bool showsColors(vtkSMProxy* representation)
   {
     return false;
   }
-  vtkPVArrayInformation* array =
-    source->GetDataInformation(input.GetOutputPort())
-      ->GetArrayInformation(name, coloring.GetInputArrayAssociation());
+  vtkPVArrayInformation* array = source->GetDataInformation(input.GetOutputPort())
+                                   ->GetArrayInformation(name, coloring.GetInputArrayAssociation());
   const int components = array ? array->GetNumberOfComponents() : 0;
   return array && array->GetDataType() == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
 }

@@ -2,8 +2,8 @@
  * @class   vtkSMOwnColorsLegendHelper
  * @brief   hide the legend of a color map that no representation uses
  *
- * Keep the legend of a color map hidden if all representations with this color map display colors as
- * they are, without the map (MapScalars is 0). ParaView shows the legend of each array that it
+ * Keep the legend of a color map hidden if all representations with this color map display colors
+ * as they are, without the map (MapScalars is 0). ParaView shows the legend of each array that it
  * colors by, also of arrays of colors.
  *
  * @sa
