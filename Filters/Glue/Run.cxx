@@ -2,6 +2,7 @@
 
 #include "Glue/Checks.h"
 #include "Glue/Compatibility.h"
+#include "Glue/FailedRequests.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -139,7 +140,7 @@ int RunRequest(vtkAlgorithm* self, const std::function<void()>& request)
   {
     EmptyOutputs(self);
   }
-  return good;
+  return good ? 1 : FailedRequest(self);
 }
 
 //------------------------------------------------------------------------------

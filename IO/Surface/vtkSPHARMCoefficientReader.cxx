@@ -1,6 +1,7 @@
 #include "vtkSPHARMCoefficientReader.h"
 
 #include "Bytes/ByteReader.h"
+#include "Glue/FailedRequests.h"
 #include "Glue/FileErrors.h"
 #include "Glue/HarmonicTables.h"
 #include "Glue/Run.h"
@@ -78,7 +79,7 @@ int vtkSPHARMCoefficientReader::RequestData(
   {
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     vtkErrorMacro("FileName is not set");
-    return 0;
+    return glue::FailedRequest(this);
   }
   const std::string name = this->FileName; // a copy: observers may change it
   try
@@ -101,7 +102,7 @@ int vtkSPHARMCoefficientReader::RequestData(
     this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro(<< name << ": " << error.what());
   }
-  return 0;
+  return glue::FailedRequest(this);
 }
 
 //------------------------------------------------------------------------------

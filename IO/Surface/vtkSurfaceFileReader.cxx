@@ -3,6 +3,7 @@
 #include "Bytes/ByteReader.h"
 #include "Bytes/FilePiece.h"
 #include "Bytes/SurfaceData.h"
+#include "Glue/FailedRequests.h"
 #include "Glue/FileErrors.h"
 #include "Glue/Run.h"
 #include "Glue/SurfaceConversions.h"
@@ -22,11 +23,14 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 
 namespace
 {
+constexpr std::size_t FirstLines = std::size_t(1) << 14; ///< bytes by which formats are recognized
+
 conformal::FilePiece PieceOf(vtkInformation* info)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -73,9 +77,17 @@ vtkStringArray* vtkSurfaceFileReader::GetReadFileNames()
 //------------------------------------------------------------------------------
 bool vtkSurfaceFileReader::StartsLike(const char* name, bool (*looksRight)(std::string_view))
 {
-  constexpr std::size_t firstLines = std::size_t(1) << 14;
   conformal::ByteReader input;
-  return name && conformal::openFile(name, input).ok() && looksRight(input.peek(firstLines));
+  return name && conformal::openFile(name, input).ok() && looksRight(input.peek(FirstLines));
+}
+
+//------------------------------------------------------------------------------
+bool vtkSurfaceFileReader::StartsLike(
+  const char* name, bool (*looksRight)(std::string_view, std::uint64_t))
+{
+  conformal::ByteReader input;
+  return name && conformal::openFile(name, input).ok() &&
+    looksRight(input.peek(FirstLines), input.size());
 }
 
 //------------------------------------------------------------------------------
@@ -106,7 +118,7 @@ int vtkSurfaceFileReader::RequestData(
   if (outcome.ErrorCode != vtkErrorCode::NoError)
   {
     vtkErrorMacro(<< outcome.Message);
-    return 0;
+    return glue::FailedRequest(this);
   }
   this->WarnOfAll(fileName, result.Data, output);
   return 1;

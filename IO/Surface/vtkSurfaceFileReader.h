@@ -42,6 +42,7 @@
 #include "vtkIOSurfaceModule.h" // for export macro
 #include "vtkNew.h"             // for ReadFileNames
 
+#include <cstdint>     // for sizes of files
 #include <string>      // for messages
 #include <string_view> // for the start of a file
 #include <vector>      // for names of files
@@ -118,6 +119,10 @@ protected:
 
   // Return whether a file can be opened, and looksRight returns true for its first bytes.
   static bool StartsLike(VTK_FILEPATH const char* name, bool (*looksRight)(std::string_view));
+
+  // Like StartsLike above. looksRight also gets the size of the file [bytes].
+  static bool StartsLike(
+    VTK_FILEPATH const char* name, bool (*looksRight)(std::string_view, std::uint64_t));
 
 private:
   // Result of reading: an error, an abort, or success.

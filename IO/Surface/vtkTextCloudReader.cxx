@@ -10,10 +10,10 @@ vtkStandardNewMacro(vtkTextCloudReader);
 //------------------------------------------------------------------------------
 int vtkTextCloudReader::CanReadFile(const char* name)
 {
-  // A count and numbered rows may also be the vertices of a plate model, which is excluded.
-  const auto looksRight = [](std::string_view start)
-  { return conformal::looksLikeTextCloud(start) && !conformal::looksLikePlateModel(start); };
-  return Superclass::StartsLike(name, looksRight) ? 1 : 0;
+  // A count and rows of numbers may also be the vertices of a plate model, which is excluded.
+  const auto looksRight = [](std::string_view start, std::uint64_t size)
+  { return conformal::looksLikeTextCloud(start) && !conformal::looksLikePlateModel(start, size); };
+  return Superclass::StartsLike(name, +looksRight) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -18,18 +18,19 @@ from vtkmodules.vtkIOImage import vtkJPEGWriter
 
 import scenes
 
-EVENTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "guide.xml")
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+EVENTS = ("one_click.xml", "guide.xml")
 DISPLAY, WINDOW = ":87", (1152, 762)  # the size that ParaView's window has at first
 PATIENCE = 300  # seconds until a ParaView must have got there
 
 
 def events_before_each_picture():
     """The name of every picture and the events that lead to it."""
-    with open(EVENTS, encoding="ascii") as file:
-        text = file.read()
-    parts = text.split("<!-- picture: ")
-    for i, part in enumerate(parts[1:], 1):
-        yield part.partition(" ")[0], "<!-- ".join(parts[:i]) + "</pqevents>\n"
+    for name in EVENTS:
+        with open(os.path.join(FOLDER, name), encoding="ascii") as file:
+            parts = file.read().split("<!-- picture: ")
+        for i, part in enumerate(parts[1:], 1):
+            yield part.partition(" ")[0], "<!-- ".join(parts[:i]) + "</pqevents>\n"
 
 
 def screen(path):
@@ -85,6 +86,7 @@ def main(folder, scan=""):
     os.makedirs(folder, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="scans-") as data:
         scenes.write_picture(data)
+        scenes.write_scan(data, 60000, colored=True)
         name = "bear.ply"
         if scan:
             name = os.path.basename(scan)

@@ -3,8 +3,10 @@ import os
 import subprocess
 import sys
 
+import numpy as np
 from paraview import servermanager
 from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
 
 from helpers import textures
@@ -13,11 +15,22 @@ from helpers.builtin_figure import figure_cloud
 SIZE = [400, 400]
 
 
-def write_scan(folder, number_of_points=20000):
+def colors_at(points):
+    """Red, green and blue that increase to the right, upward and to the front of the bear, n x 3 bytes."""
+    low, high = np.array([-1, -1, -1]), np.array([1, 1, 1])
+    return np.rint(255 * np.clip((points - low) / (high - low), 0, 1)).astype(np.uint8)
+
+
+def write_scan(folder, number_of_points=20000, colored=False):
     """The bear as a PLY file, by our own writer."""
+    bear = figure_cloud(number_of_points)
+    if colored:
+        colors = numpy_to_vtk(colors_at(vtk_to_numpy(bear.GetPoints().GetData())), deep=True)
+        colors.SetName("RGB")
+        bear.GetPointData().SetScalars(colors)
     cloud = simple.TrivialProducer()
-    cloud.GetClientSideObject().SetOutput(figure_cloud(number_of_points))
-    path = os.path.join(folder, "bear.ply")
+    cloud.GetClientSideObject().SetOutput(bear)
+    path = os.path.join(folder, "colored.ply" if colored else "bear.ply")
     servermanager.writers.ConformalPLYWriter(Input=cloud, FileName=path).UpdatePipeline()
     simple.Delete(cloud)
     return path

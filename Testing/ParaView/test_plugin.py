@@ -4,9 +4,11 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+import numpy as np
 from paraview import servermanager
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import scenes
@@ -75,6 +77,61 @@ class TestPlugin(unittest.TestCase):
         self.surface.UpdatePipeline()
         self.assertEqual(self.surface.GetDataInformation().GetNumberOfCells(), 20 * 16**2)
         self.assertEqual(self.number(simple.GenusZeroCheck(Input=self.surface), "IsGenusZero"), 1)
+
+    def painted_scan(self):
+        """The surface that the compound filter makes of a scan with colors, and its source."""
+        scan = simple.OpenDataFile(scenes.write_scan(self.temporary.name, 4000, colored=True))
+        painted = simple.ScanToPaintedSurface(Input=scan, NumberOfNeurons=642, Frequency=40)
+        painted.UpdatePipeline()
+        return scan, painted
+
+    def test_scan_becomes_a_painted_surface_in_one_step(self):
+        _, painted = self.painted_scan()
+        self.assertEqual(self.number(simple.GenusZeroCheck(Input=painted), "IsGenusZero"), 1)
+        surface = servermanager.Fetch(painted)
+        data = surface.GetPointData()
+        self.assertEqual(surface.GetNumberOfPoints(), 10 * 40**2 + 2)
+        colors = data.GetScalars()
+        self.assertEqual((colors.GetName(), colors.GetDataType(), colors.GetNumberOfComponents()),
+                         ("RGB", VTK_UNSIGNED_CHAR, 3))
+        wrong = vtk_to_numpy(colors) - scenes.colors_at(vtk_to_numpy(surface.GetPoints().GetData())).astype(float)
+        self.assertLess(abs(wrong).mean(), 3)
+        self.assertLess(abs(wrong).max(), 25)
+        self.assertEqual(data.GetNormals().GetName(), "Normals")
+        self.assertEqual(data.GetTCoords().GetName(), "Texture Coordinates")
+        sphere = vtk_to_numpy(data.GetArray("SpherePosition"))
+        np.testing.assert_allclose(np.linalg.norm(sphere, axis=1), 1)
+
+    def test_scan_without_colors_becomes_a_surface_in_one_step(self):
+        painted = simple.ScanToPaintedSurface(Input=self.points, NumberOfNeurons=642, Frequency=16)
+        painted.UpdatePipeline()
+        surface = servermanager.Fetch(painted)
+        self.assertEqual(surface.GetNumberOfPoints(), 10 * 16**2 + 2)
+        self.assertIsNone(surface.GetPointData().GetScalars())
+
+    def test_colors_are_shown_without_a_color_map(self):
+        scan, painted = self.painted_scan()
+        view = simple.CreateRenderView()
+        for source in (scan, painted):
+            shown = simple.Show(source, view)
+            self.assertEqual((shown.ColorArrayName, shown.MapScalars), (["POINTS", "RGB"], 0))
+            shown.SetScalarBarVisibility(view, True)
+            self.assertFalse(shown.IsScalarBarVisible(view))
+        simple.ColorBy(shown, ("POINTS", "Supported"))
+        self.assertEqual(shown.MapScalars, 1)
+        shown.SetScalarBarVisibility(view, True)
+        self.assertTrue(shown.IsScalarBarVisible(view))
+        simple.ColorBy(shown, ("POINTS", "RGB"))
+        self.assertEqual(shown.MapScalars, 0)
+        shown.MapScalars = 1
+        self.assertEqual(shown.MapScalars, 1)  # a choice of the user
+        shown.SetScalarBarVisibility(view, True)
+        self.assertTrue(shown.IsScalarBarVisible(view))
+        simple.ColorBy(shown, None)
+        shown.MapScalars = 0
+        simple.ColorBy(shown, ("POINTS", "Supported"))
+        self.assertEqual(shown.MapScalars, 0)
+        simple.Delete(view)
 
     def test_history_of_learning_is_a_table(self):
         self.mesh.UpdatePipeline()

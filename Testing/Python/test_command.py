@@ -624,6 +624,31 @@ class TestFormats(unittest.TestCase):
     def tearDownClass(cls):
         cls.temporary.cleanup()
 
+    def test_plate_models_of_all_kinds_are_opened(self):
+        """Tables with tags, and grids on a cube under the name of a text."""
+        for name, text in (("tagged.tab", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
+                           ("grids.txt", "1\n" + 24 * "0.5 -0.5 1.5\n")):
+            with self.subTest(name):
+                path = os.path.join(self.folder, name)
+                with open(path, "w", encoding="ascii") as file:
+                    file.write(text)
+                self.assertIs(scan_files.reader_class(path), conformalsom.vtkPlateModelReader)
+
+    def test_label_has_the_unit(self):
+        """The same as --unit km."""
+        shutil.copy(os.path.join(self.folder, "scan.tab"), os.path.join(self.folder, "body.tab"))
+        with open(os.path.join(self.folder, "body.lbl"), "w", encoding="ascii") as file:
+            file.write("UNIT = <KM>\n")
+        written = []
+        for scan, *words in (("body.tab",), ("scan.tab", "--unit", "km"), ("scan.tab",)):
+            path = os.path.join(self.folder, "unit.glb")
+            subprocess.run([sys.executable, "-m", "conformalsom", os.path.join(self.folder, scan), "-o", path, "--neurons",
+                            "162", "--points", "642", "--overwrite", *words], check=True, stdout=subprocess.PIPE)
+            with open(path, "rb") as file:
+                written.append(file.read())
+        self.assertEqual(written[0], written[1])
+        self.assertNotEqual(written[0], written[2])
+
     def test_every_reader_of_the_package_opens_its_files(self):
         tried = {"vtk" + name + "Reader" for name in self.OURS.values()}
         for reader in set(scan_files.OUR_READERS):

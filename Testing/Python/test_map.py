@@ -12,7 +12,7 @@ from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
-from conformalsom import vtkGeodesicSphereSource
+from conformalsom import vtkConformalPLYReader, vtkGeodesicSphereSource
 from conformalsom.command import map_picture
 
 try:
@@ -117,6 +117,36 @@ class TestMap(unittest.TestCase):
         bar = ink[top + rows + 3 * font, left:]
         pixels = int(np.argmin(bar))  # a round length, as far as it goes in a quarter of the width
         self.assertAlmostEqual(pixels / columns * 2.0 * np.pi * 25000.0, 20000.0, delta=0.02 * length)
+
+    def test_label_has_the_unit_and_the_name(self):
+        """A table in meters with a label of PDS3, and one in kilometers with a label of PDS4."""
+        reader = vtkConformalPLYReader()
+        reader.SetFileName(self.body)
+        reader.Update()
+        surface = reader.GetOutput()
+        points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+        triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3) + 1
+        for label, text, scale in (
+                ("a.lbl", 'PDS_VERSION_ID = PDS3\nTARGET_NAME = "433 EROS"\nUNIT = METER\n', 1000.0),
+                ("b.xml", "<a><Target_Identification><name>433 EROS</name></Target_Identification><unit>km</unit></a>", 1.0)):
+            with self.subTest(label):
+                with open(self.path_of(label), "w", encoding="ascii") as file:
+                    file.write(text)
+                table = self.path_of(label[0] + ".tab")
+                for name in (label, label[0] + ".tab", label[0] + ".tif"):
+                    self.addCleanup(os.remove, self.path_of(name))
+                with open(table, "w", encoding="ascii") as file:
+                    file.writelines("v " + " ".join(map(repr, point)) + "\n" for point in (points * scale).tolist())
+                    file.writelines("f " + " ".join(map(str, ids)) + "\n" for ids in triangles.tolist())
+                path = self.path_of(label[0] + ".tif")
+                made = conformalsom("map", table, "-o", path, "--width", 360, "--central-longitude", 180)
+                self.assertEqual((made.returncode, made.stderr), (0, ""))
+                file = gdal.Open(path)
+                np.testing.assert_allclose(file.GetRasterBand(3).ReadAsArray(), self.bands["radius"], rtol=1e-4)
+                self.assertIn("433 EROS planetocentric", file.GetProjection())
+                other = conformalsom("map", table, "-o", path, "--width", 32, "--unit", "cm", "--overwrite")
+                self.assertEqual(other.returncode, 0)
+                self.assertIn("--unit: cm is used, but the label has", other.stdout)
 
     def test_picture_is_written_beside_the_map(self):
         picture, target = self.path_of("map.png"), self.path_of("with.tif")

@@ -183,7 +183,9 @@ class ReadFiles:
             for color in ("rgb", "rgba"):
                 self.read("vtkPCDReader", PCD.format(color=color))
             self.read("vtkGuMeshReader", GU_MESH)
+            label = self.put("file.lbl", "TARGET_NAME = EROS\nUNIT = KILOMETER\n")
             self.read("vtkPlateModelReader", "3 1\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n")
+            os.remove(label)
             self.put("scan.ply", SCAN)
             self.read("vtkStanfordScansReader", "bmesh scan.ply 0 0 0 0 0 0 1\n"
                                                 "bmesh missing.ply 0 0 0 0 0 0 1\n")

@@ -24,6 +24,9 @@ from conformalsom import (
 from test_command import COMMAND, command, files_in, read, write
 
 NUMBER = 12
+MARKS = ("scan,x,y,z\n", "scan,name,x,y,z\nshape 00,nose,1,2,3\n", "scan,name,x,y,z\nshape 00,nose,1,n,3\n",
+         "scan,name,x,y,z\nshape 00,nose,1,2,3\nshape 00.ply,nose,1,2,3\n", "scan,name,x,y,z\nother,nose,1,2,3\n",
+         "scan,name,x,y,z\n", "scan,name,x,y,z\nshape 00,nose,1,2\n")  # tables of landmarks, all unsuitable
 RSCRIPT = shutil.which("Rscript")
 GUIDE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Documentation", "Correspondence.md")
 SMALL = ("--points", "500", "--rounds", "1", "--modes", "2", "--permutations", "99")
@@ -317,6 +320,83 @@ class TestStops(unittest.TestCase):
         self.assertEqual(len(table(self.folder, "study", "scores.csv")), 2)
 
 
+class TestLandmarks(unittest.TestCase):
+    """Landmarks that the shapes do not suggest: on the second scan they are turned by 0.35 on the sphere."""
+    ANGLE = 0.35
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="landmarks of ")
+        self.addCleanup(temporary.cleanup)
+        self.folder = temporary.name
+        self.names = write_family(self.folder, 12, number=3)
+        directions = points_of(sphere(12))
+        cosine, sine = np.cos(self.ANGLE), np.sin(self.ANGLE)
+        turn = np.array([[1, 0, 0], [0, cosine, -sine], [0, sine, cosine]])
+        wanted = np.array([[0, 1, 0], [0, 0, 1], [0, -1, 0], [0, 0, -1], [1, 0, 0], [-1, 0, 0]], dtype=float)
+        self.ids = [np.argmax(directions @ (wanted @ turn.T if i == 1 else wanted).T, axis=0) for i in range(3)]
+
+    def write_landmarks(self, ids):
+        with open(os.path.join(self.folder, "landmarks.csv"), "w", encoding="utf-8") as file:
+            file.write("Scan,x,y,z,Name\n")
+            for name, points in zip(self.names, ids):
+                coordinates = points_of(read(vtkConformalPLYReader(), self.folder, name))
+                for k, point in sorted(enumerate(points), key=lambda item: -item[0] if name == self.names[0] else item[0]):
+                    file.write(f"{name},{','.join(map(repr, coordinates[point].tolist()))},L{k}\n")
+
+    def study(self, *arguments):
+        run = command(self.folder, "shapes", *self.names, "-o", "study", *SMALL, *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return results_of(os.path.join(self.folder, "study"))
+
+    def disagreement(self):
+        """The largest distance on the sphere between a landmark of two registered surfaces of the last round."""
+        scans = [points_of(read(vtkConformalPLYReader(), self.folder, name)) for name in self.names]
+        spheres = {}
+        for path in sorted(glob.glob(os.path.join(self.folder, "study", "work", "register-*")), key=os.path.getmtime):
+            surface = read(vtkXMLPolyDataReader(), path)
+            number, = (i for i, scan in enumerate(scans) if np.allclose(points_of(surface), scan))
+            spheres[number] = vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition"))
+        places = np.array([spheres[i][self.ids[i]] for i in range(3)])
+        return np.linalg.norm(places[:, None] - places[None], axis=-1).max()
+
+    def test_registered_maps_agree_at_landmarks(self):
+        without = self.study()
+        self.assertGreater(self.disagreement(), 0.8 * self.ANGLE)
+        self.write_landmarks(self.ids)
+        with_ = self.study("--landmarks", "landmarks.csv", "--overwrite")
+        self.assertLess(self.disagreement(), 0.3 * self.ANGLE)
+        self.assertNotEqual(without["scores.csv"], with_["scores.csv"])
+
+    def test_a_changed_file_is_noticed_and_maps_are_kept(self):
+        self.write_landmarks(self.ids)
+        first = self.study("--landmarks", "landmarks.csv")
+        work = os.path.join(self.folder, "study", "work")
+        files = {path: os.stat(path).st_mtime_ns for path in glob.glob(work + "/*.vtp")}
+        again = self.study("--landmarks", "landmarks.csv", "--overwrite")
+        self.assertEqual({path: os.stat(path).st_mtime_ns for path in glob.glob(work + "/*.vtp")}, files)
+        self.assertEqual(again["scores.csv"], first["scores.csv"])
+        self.write_landmarks([self.ids[0]] * 3)
+        changed = self.study("--landmarks", "landmarks.csv", "--overwrite")
+        self.assertNotEqual(changed["scores.csv"], first["scores.csv"])
+        maps = [path for path in glob.glob(work + "/*.vtp") if os.path.basename(path).startswith("map-")]
+        self.assertEqual({path: os.stat(path).st_mtime_ns for path in maps},
+                         {path: time_ for path, time_ in files.items() if path in maps})
+        self.assertEqual(len(maps), 3)
+
+    def test_landmarks_of_another_scan_are_refused(self):
+        self.write_landmarks(self.ids)
+        path = os.path.join(self.folder, "landmarks.csv")
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        scan, *_, name = lines[-1].split(",")
+        lines[-1] = f"{scan},99,99,99,{name}"
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join(lines))
+        run = command(self.folder, "shapes", *self.names, "-o", "study", *SMALL, "--landmarks", "landmarks.csv")
+        self.assertEqual(run.returncode, 1)
+        self.assertRegex(run.stderr, f"{scan}: .*the landmark at 99, 99, 99 is .* from the surface; landmarks must have")
+
+
 class TestBadInputs(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -325,6 +405,7 @@ class TestBadInputs(unittest.TestCase):
         cls.names = write_family(cls.folder, 6, number=4)
         for name, text in (("broken.ply", "ply\nformat ascii 1.0\nelement vertex 9\n"), ("notes.doc", "notes"),
                            ("few.csv", "scan,group\nshape 00,a\nshape 01,b\n"),
+                           *((f"marks{i}.csv", text) for i, text in enumerate(MARKS)),
                            ("unknown.csv", "scan,group\nshape 00,a\nshape 01,a\nshape 02,b\nshape 03,b\nother,b\n")):
             with open(os.path.join(cls.folder, name), "w", encoding="ascii") as file:
                 file.write(text)
@@ -345,6 +426,14 @@ class TestBadInputs(unittest.TestCase):
                 (1, [*self.names, "--groups", "missing.csv"], "missing.csv: No such file"),
                 (1, [*self.names, "--groups", "few.csv"], "few.csv: no group for shape 02, shape 03"),
                 (1, [*self.names, "--groups", "unknown.csv"], "unknown.csv: other is none of the scans"),
+                (1, [*self.names, "--landmarks", "missing.csv"], "missing.csv: No such file"),
+                (1, [*self.names, "--landmarks", "marks0.csv"], "marks0.csv: the first line must name the columns scan, name"),
+                (1, [*self.names, "--landmarks", "marks1.csv"], "marks1.csv: shape 01 has no landmark nose"),
+                (1, [*self.names, "--landmarks", "marks2.csv"], "marks2.csv: row 2: x, y and z must be finite numbers, not 1, n"),
+                (1, [*self.names, "--landmarks", "marks3.csv"], "marks3.csv: shape 00.ply has two rows of the landmark nose"),
+                (1, [*self.names, "--landmarks", "marks4.csv"], "marks4.csv: other is none of the scans"),
+                (1, [*self.names, "--landmarks", "marks5.csv"], "marks5.csv: there are no landmarks"),
+                (1, [*self.names, "--landmarks", "marks6.csv"], "marks6.csv: row 2 has 4 cells"),
                 (2, [*self.names, "-o", "mine"], "mine has files that are not of a study"),
                 (2, [*self.names, "-o", "notes.doc"], "notes.doc is not a folder"),
                 (2, [*self.names, "-o", "."], "is an input, but lies in the folder to write"),

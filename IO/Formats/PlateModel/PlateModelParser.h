@@ -9,6 +9,7 @@
 #include "Bytes/ParseLimits.h"
 #include "Bytes/SurfaceData.h"
 
+#include <cstdint>
 #include <string_view>
 
 namespace conformal
@@ -22,14 +23,24 @@ namespace conformal
 /// is the number of vertices. The 3 may also be on a separate line before A B C, as in files with
 /// the extension .ver. Vertices are numbered from 0 if a plate contains vertex 0, otherwise from 1.
 ///
+/// Two further kinds of files are read. Rows of one kind have a tag: v X Y Z is a vertex, and
+/// f A B C a plate, whose vertices are numbered from 1. All vertices precede all plates. Blank
+/// lines and comments, which begin with #, are ignored. Files of the other kind are implicitly
+/// connected quadrilateral models (ICQ): a number q, and 6 (q + 1)^2 vertices X Y Z without plates
+/// (CubedPlates.h).
+///
 /// Points are Float64, in the length unit of the file.
 SurfaceResult parsePlateModel(
   ByteReader& input, const ParseLimits& limits = {}, const Run& run = {});
 
-/// Test whether the first bytes of a file identify a plate model. The bytes must begin with a line
-/// of one or two counts: the number of vertices, and optionally the number of plates. Three rows of
-/// vertices must follow. With only one count, the rows must have an index I.
-bool looksLikePlateModel(std::string_view start);
+/// Test whether the first bytes of a file identify a plate model. One of these must be true:
+/// - The bytes begin with a line of one or two counts: the number of vertices, and optionally the
+///   number of plates. Three rows of vertices follow. With only one count, the rows have an index.
+/// - The bytes begin with three rows v X Y Z. OBJ files may begin in this way, too.
+/// - The bytes begin with a number q and three rows X Y Z, and the size of the file is about that
+///   of 6 (q + 1)^2 such rows.
+/// @param[in] size  size of the file [bytes]; 0: the bytes are the whole file
+bool looksLikePlateModel(std::string_view start, std::uint64_t size = 0);
 }
 
 #endif

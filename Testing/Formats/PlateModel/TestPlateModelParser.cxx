@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstring>
+#include <set>
+#include <utility>
+#include <vector>
 
 using conformal::ByteReader;
 using conformal::looksLikePlateModel;
@@ -38,7 +42,8 @@ std::vector<std::int64_t> idsOf(const SurfaceResult& result)
 TEST(PlateModelParser, ReadsTablesAndVerAlike)
 {
   const std::vector<std::int64_t> tetrahedron = { 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 };
-  for (const std::string& text : { samples::NumberedPlates(), samples::VerPlates() })
+  for (const std::string& text :
+    { samples::NumberedPlates(), samples::VerPlates(), samples::TaggedPlates() })
   {
     const SurfaceResult result = parse(text);
     ASSERT_EQ(result.Status.Code, ParseCode::Ok) << result.Status.Message;
@@ -58,6 +63,62 @@ TEST(PlateModelParser, CountsFromZeroWhereAPlateDoes)
     idsOf(parse("3 1\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n")), (std::vector<std::int64_t>{ 0, 1, 2 }));
   EXPECT_EQ(idsOf(parse("4 1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3\n")),
     (std::vector<std::int64_t>{ 0, 1, 2 }));
+}
+
+// A cube, whose volume is 8: closed, without repeated vertices, oriented outward.
+TEST(PlateModelParser, ConnectsGridsOnTheSidesOfACube)
+{
+  for (const int q : { 1, 2, 5 })
+  {
+    for (const bool isReversed : { false, true })
+    {
+      const SurfaceResult result = parse(samples::CubeModel(q, isReversed));
+      ASSERT_EQ(result.Status.Code, ParseCode::Ok) << result.Status.Message;
+      EXPECT_EQ(result.Data.Points.numberOfTuples(), 6u * q * q + 2);
+      EXPECT_EQ(result.Data.DroppedPolygons, 0u);
+      const std::vector<std::int64_t> ids = idsOf(result);
+      ASSERT_EQ(ids.size(), 3u * 12 * q * q);
+      std::set<std::pair<std::int64_t, std::int64_t>> edges;
+      double volume = 0.0;
+      for (std::size_t t = 0; t < ids.size(); t += 3)
+      {
+        double x[3][3];
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          edges.emplace(ids[t + k], ids[t + (k + 1) % 3]);
+          for (std::size_t c = 0; c < 3; ++c)
+          {
+            x[k][c] = coordinate(result, 3 * ids[t + k] + c);
+          }
+        }
+        volume += (x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) +
+                    x[0][1] * (x[1][2] * x[2][0] - x[1][0] * x[2][2]) +
+                    x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0])) /
+          6.0;
+      }
+      EXPECT_EQ(edges.size(), ids.size()); // no half-edge twice
+      for (const auto& [begin, end] : edges)
+      {
+        EXPECT_EQ(edges.count({ end, begin }), 1u);
+      }
+      EXPECT_NEAR(volume, 8.0, 1e-5);
+    }
+  }
+}
+
+TEST(PlateModelParser, TellsGridsFromACloudWithACount)
+{
+  std::string cloud = "96\n";
+  for (int i = 0; i < 96; ++i)
+  {
+    cloud += std::to_string(i) + " 1.5 2.5\n";
+  }
+  EXPECT_FALSE(looksLikePlateModel(cloud));
+  const std::string cube = samples::CubeModel(30);
+  EXPECT_TRUE(looksLikePlateModel(cube));
+  EXPECT_TRUE(looksLikePlateModel(cube.substr(0, 200), cube.size()));
+  EXPECT_FALSE(looksLikePlateModel(cube.substr(0, 200)));
+  EXPECT_FALSE(looksLikePlateModel("v 0 0 0\nvn 0 0 1\nv 1 0 0\nv 0 1 0\n"));
 }
 
 TEST(PlateModelParser, ReadsAllGoodAndRefusesAllBadFiles)

@@ -120,8 +120,9 @@ def arguments(argv):
                         help="number of levels of detail in .glb files (extension MSFT_lod); each has a quarter of the "
                              "points of the one before; default 1")
     parser.add_argument("--unit", choices=METERS,
-                        help="unit of the scan's coordinates, default m; .glb files are in meters, as glTF requires, "
-                             ".3mf files in millimeters, and with --preset print also .stl files")
+                        help="unit of the scan's coordinates; .glb files are in meters, as glTF requires, .3mf files in "
+                             "millimeters, and with --preset print also .stl files. Default: that of the label beside a "
+                             "plate model (.lbl or .xml), else m")
     parser.add_argument("--compress", action="store_true",
                         help="write small .glb files: points and triangles by the extensions KHR_mesh_quantization and "
                              "EXT_meshopt_compression of glTF, and pictures as JPEG")

@@ -6,7 +6,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from conformalsom import vtkBodyMap, vtkBodyMapImage
 
-from . import geotiff, map_picture, mapped_files, outputs, pictures, scan_files
+from . import geotiff, labels, map_picture, mapped_files, outputs, pictures, scan_files
 from .plan import METERS, Checks, WrongUsage, expect_extension, expect_utf8, parsed
 from .progress import printable
 from .steps import Steps
@@ -46,7 +46,8 @@ def arguments(argv):
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("body", metavar="BODY", help="file with a closed surface without handles (.tab, .obj, .ply ...)")
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="GeoTIFF to write (.tif or .tiff)")
-    parser.add_argument("--unit", choices=METERS, default="km", help="of the coordinates in BODY; default km")
+    parser.add_argument("--unit", choices=METERS, help="of the coordinates in BODY; default: that of the label "
+                        "beside BODY (.lbl or .xml of the Planetary Data System), else km")
     parser.add_argument("--width", type=width, default=2000, metavar="N",
                         help="width in pixels, twice the height; in [16, 40000], default 2000")
     parser.add_argument("--coordinates", choices=("planetocentric", "map"), default="planetocentric",
@@ -86,17 +87,20 @@ def expect_sense(options):
 def run(options, _):
     """Read, map, draw and write; returns the exit status."""
     steps = Steps()
+    surface = mapped_files.read(options.body, AREA_BALANCE, steps)
+    meters = labels.meters_of(surface, options.unit, "km", steps)
+    name = labels.target_of(surface) or mapped_files.name_of(options.body)
     body = vtkBodyMap()
-    body.SetInputData(mapped_files.read(options.body, AREA_BALANCE, steps))
+    body.SetInputData(surface)
     body.SetCenter(options.center)
     body.SetRotationAxis(options.axis)
     steps.run("Find longitudes and latitudes", body)
-    bands = bands_of(options, body.GetOutput(), steps)
-    points = vtk_to_numpy(body.GetOutput().GetPointData().GetArray("Radius")) * METERS[options.unit]
+    bands = bands_of(options, body.GetOutput(), meters, steps)
+    points = vtk_to_numpy(body.GetOutput().GetPointData().GetArray("Radius")) * meters
     with outputs.whole(options.output, files=[options.output], overwrite=options.overwrite) as path:
-        geotiff.write(path, bands, options.central_longitude, mapped_files.name_of(options.body), float(points.mean()), options.crs)
+        geotiff.write(path, bands, options.central_longitude, name, float(points.mean()), options.crs)
     if options.picture:
-        write_picture(options, bands, steps)
+        write_picture(options, bands, name, steps)
     for warning in steps.warnings:
         print(printable(warning))
     missing = np.isnan(bands["radius"]).mean()
@@ -105,18 +109,18 @@ def run(options, _):
     return 0
 
 
-def write_picture(options, bands, steps):
+def write_picture(options, bands, name, steps):
     """Draw and write the picture."""
     kind = "planetocentric coordinates" if options.coordinates == "planetocentric" else "coordinates of a map to the sphere"
-    title = f"{printable(mapped_files.name_of(options.body))}: heights over an ellipsoid, {kind}"
+    title = f"{printable(name)}: heights over an ellipsoid, {kind}"
     writer = pictures.picture_writer(options.picture)
     writer.SetInputData(map_picture.draw(bands, options.central_longitude, title))
     outputs.write(steps, writer, options.picture, overwrite=options.overwrite)
 
 
-def bands_of(options, body, steps):
+def bands_of(options, body, meters, steps):
     """Rows of pixels from the north for each band, in meters, degrees and square meters; NaN without a value."""
-    meters, data = METERS[options.unit], body.GetPointData()
+    data = body.GetPointData()
     values = np.column_stack([vtk_to_numpy(data.GetArray(name)) for name in ("Height", "Slope")])
     array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
     array.SetName("HeightAndSlope")

@@ -36,11 +36,9 @@ def apply(options):
     if options.levels is None:
         options.levels = preset.levels
     options.compress = options.compress or preset.compress
-    if options.unit is None:
-        if options.preset == "print":
-            raise WrongUsage("--preset print needs the unit of the scan's coordinates, such as --unit mm: printers use "
-                             "millimeters")
-        options.unit = "m"
+    if options.preset == "print" and options.unit is None:
+        raise WrongUsage("--preset print needs the unit of the scan's coordinates, such as --unit mm: printers use "
+                         "millimeters")
 
 
 def expect_sense(options, files):

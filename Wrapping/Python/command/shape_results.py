@@ -29,7 +29,8 @@ def make(step, options, _, steps):
     for k in range(kept, len(shares)):
         mean.GetPointData().RemoveArray(f"ShapeMode{k + 1}")
     report = {"Version": conformalsom.__version__, "Alignment": options.alignment, "Rounds": options.rounds,
-              "NumberOfPoints": mean.GetNumberOfPoints(), "Scans": options.scans, "Groups": options.groups_of}
+              "NumberOfPoints": mean.GetNumberOfPoints(), "Scans": options.scans, "Groups": options.groups_of,
+              "NumberOfLandmarks": len(options.landmarks_of[0]) if options.landmarks_of else 0}
     if options.groups_of:
         report.update(tested(surfaces, mean, options, steps))
     folder = os.path.join(options.output, outputs.PREFIX + step.token)

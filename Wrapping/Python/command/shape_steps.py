@@ -16,7 +16,7 @@ import conformalsom
 from conformalsom import (
     vtkConformalSOM, vtkConsistentRemesh, vtkGenusZeroCheck, vtkGlobalConformalMap, vtkSphericalRegistration)
 
-from . import outputs, scan_files
+from . import outputs, scan_files, shape_landmarks
 from .plan import Paths
 
 SPHERE = "SpherePosition"
@@ -33,6 +33,7 @@ class Step(typing.NamedTuple):
     paths: Paths
     token: str
     work: str  # name of the folder
+    landmarks: typing.Tuple = ()  # of sources: coordinates of each landmark
 
     @property
     def file(self):
@@ -55,11 +56,12 @@ def content_of(path):
     return total.hexdigest()
 
 
-def step_of(kind, scan, sources, work, *settings):
+def step_of(kind, scan, sources, work, *settings, landmarks=()):
     """The step that makes a file from others; names of files in the folder of the work are their hashes."""
+    settings += (landmarks,) if landmarks else ()
     known = [content_of(source) if kind == "map" else os.path.basename(source) for source in sources]
     path = os.path.join(work, f"{kind}-{hash_of(kind, known, *settings)}.vtp")
-    return Step(kind, scan, tuple(sources), Paths([path], ""), outputs.new_token(), work)
+    return Step(kind, scan, tuple(sources), Paths([path], ""), outputs.new_token(), work, landmarks)
 
 
 def make(step, options, _, steps):
@@ -127,6 +129,8 @@ def registered(step, _, steps):
     registration = vtkSphericalRegistration()
     registration.SetInputData(moving)
     registration.SetInputData(1, fixed)
+    if step.landmarks:
+        shape_landmarks.add_to(registration, moving, fixed, step)
     steps.run("Register", registration)
     surface = registration.GetOutput()
     for name in TARGETS:
@@ -159,6 +163,9 @@ def mean(step, options, steps):
     closest.GetPointData().AddArray(shape.GetPointData().GetArray(SPHERE))
     array = vtk_numbers([closest_to_mean(remesh)], "ClosestSurface")
     closest.GetFieldData().AddArray(array)
+    if step.landmarks:
+        surfaces = (read(steps, path) for path in step.sources)
+        closest.GetFieldData().AddArray(shape_landmarks.mean_positions(closest, surfaces, step, SPHERE))
     return closest
 
 

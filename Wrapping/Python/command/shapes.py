@@ -2,7 +2,7 @@
 import argparse
 import os
 
-from . import jobs, outputs, shape_groups, shape_page, shape_results, shape_steps
+from . import jobs, outputs, shape_groups, shape_landmarks, shape_page, shape_results, shape_steps
 from .plan import Paths, WrongUsage, expect_directions, expect_name, expect_utf8, parsed, positive
 from .scan_files import inputs_of, scan_reader
 
@@ -49,6 +49,9 @@ def arguments(argv):
                              "(similarity); default rigid")
     parser.add_argument("--groups", metavar="FILE", help="CSV file with the columns scan and group; test at each "
                         "vertex whether the means of the groups differ")
+    parser.add_argument("--landmarks", metavar="FILE", help="CSV file with the columns scan, name, x, y and z: points with "
+                        "the same names on all scans, in the coordinates of their files. The registered maps agree at "
+                        "these points")
     parser.add_argument("--permutations", type=in_range(99, 1000000), default=1000, metavar="N",
                         help="number of permutations of the test, in [99, 1000000]; default 1000")
     parser.add_argument("--random-seed", type=in_range(0, 2**32 - 1), default=0, metavar="N",
@@ -73,7 +76,7 @@ def arguments(argv):
 
 def expect_sense(options):
     """Raise WrongUsage where the call makes no sense, or would replace what it must not."""
-    for name in (*options.scans, options.output, options.groups):
+    for name in (*options.scans, options.output, options.groups, options.landmarks):
         expect_utf8(name or "")
     expect_directions(options.view, options.up)
     if len(options.scans) < 2:
@@ -91,7 +94,8 @@ def expect_folder(options):
     folder = options.output
     expect_name(folder)
     real = os.path.realpath(folder)
-    for path in [file for scan in options.scans for file in inputs_of(scan)] + [options.groups or os.devnull]:
+    tables = [table for table in (options.groups, options.landmarks) if table]
+    for path in [file for scan in options.scans for file in inputs_of(scan)] + tables:
         if os.path.realpath(path).startswith(os.path.join(real, "")):
             raise WrongUsage(f"{path} is an input, but lies in the folder to write")
     if not os.path.lexists(folder):
@@ -137,23 +141,31 @@ class Study:
             self.jobs(list(waiting.values()), shape_steps.make)
         return [step.file for step in steps]
 
-    def registered(self, maps, fixed):
-        """All maps registered with a surface; one that is this surface stays as it is."""
-        files = iter(self.done(shape_steps.step_of("register", scan, [path, fixed], self.work)
-                               for scan, path in zip(self.options.scans, maps) if path != fixed))
-        return [path if path == fixed else next(files) for path in maps]
+    def registered(self, maps, fixed, number=None):
+        """All maps registered with a surface: the map of this number, which stays as it is, or a mean."""
+        landmarks = self.options.landmarks_of
+        of_fixed = landmarks[number:number + 1] if landmarks and number is not None else ()
+        stays = [path == fixed and tuple(landmarks[i:i + 1]) == tuple(of_fixed) for i, path in enumerate(maps)]
+        files = iter(self.done(
+            shape_steps.step_of("register", self.options.scans[i], [path, fixed], self.work,
+                                landmarks=(*landmarks[i:i + 1], *of_fixed))
+            for i, path in enumerate(maps) if not stays[i]))
+        return [path if stays[i] else next(files) for i, path in enumerate(maps)]
 
     def mean(self, surfaces, first):
         """The mean of surfaces, oriented as one of them."""
-        order = [surfaces[first], *surfaces[:first], *surfaces[first + 1:]]
-        return self.done([shape_steps.step_of("mean", "mean", order, self.work, self.options.alignment)])[0]
+        landmarks = self.options.landmarks_of
+        order, places = ([items[first], *items[:first], *items[first + 1:]] if items else []
+                         for items in (surfaces, landmarks))
+        return self.done([shape_steps.step_of("mean", "mean", order, self.work, self.options.alignment,
+                                              landmarks=tuple(places))])[0]
 
     def surfaces(self):
         """All surfaces registered with their mean, in the order of vtkSphericalTemplate."""
         maps = self.done(shape_steps.step_of("map", scan, [scan], self.work) for scan in self.options.scans)
-        surfaces = self.registered(maps, maps[0])
+        surfaces = self.registered(maps, maps[0], 0)
         start = shape_steps.closest_of(self.mean(surfaces, 0))
-        surfaces = self.registered(maps, maps[start])
+        surfaces = self.registered(maps, maps[start], start)
         for _ in range(self.options.rounds):
             surfaces = self.registered(maps, self.mean(surfaces, start))
         return surfaces
@@ -178,5 +190,6 @@ def run(options, bar):
         with open(scan, "rb"):  # or an error that names the reason
             pass
     options.groups_of = shape_groups.read_groups(options.groups, options.names) if options.groups else []
+    options.landmarks_of = shape_landmarks.read_landmarks(options.landmarks, options.names) if options.landmarks else []
     shape_page.template()  # or an error before any work
     return Study(options, bar).run()

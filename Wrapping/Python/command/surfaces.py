@@ -9,8 +9,8 @@ from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
     vtkTexturedSurfaceWriter)
 
-from . import details, outputs, pictures, report, scan_colors, scan_files, textures
-from .plan import METERS, Paths
+from . import details, labels, outputs, pictures, report, scan_colors, scan_files, textures
+from .plan import Paths
 
 
 AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
@@ -108,9 +108,10 @@ def one_color():
 class Drawn:
     """Sources of what files show: the closed surface, the cut one, its texture, normal map, and coarser levels."""
 
-    def __init__(self, closed, cut, texture):
+    def __init__(self, closed, cut, texture, meters):
         self.closed, self.cut, self.texture = closed, cut, texture
         self.picture = texture or one_color()
+        self.meters = meters  # of a unit of length
         self.normal_map, self.levels = None, []
 
 
@@ -118,7 +119,7 @@ def textured_writer(writer, drawn, path, options, steps):
     """Connect the writer of surfaces with textures."""
     writer.SetInputConnection(0, drawn.cut.GetOutputPort())
     writer.SetInputConnection(1, drawn.picture.GetOutputPort())
-    writer.SetMetersPerUnit(METERS[options.unit])
+    writer.SetMetersPerUnit(drawn.meters)
     if outputs.extension_of(path) != ".glb":
         return
     if drawn.normal_map is not None:
@@ -132,10 +133,10 @@ def textured_writer(writer, drawn, path, options, steps):
         steps.ended("Compress", steps.warnings[-1:])
 
 
-def in_millimeters(surface, options):
+def in_millimeters(surface, meters):
     """A source of a surface in millimeters."""
     scale = vtkTransform()
-    scale.Scale(*3 * [1000.0 * METERS[options.unit]])
+    scale.Scale(*3 * [1000.0 * meters])
     scaled = vtkTransformPolyDataFilter()
     scaled.SetTransform(scale)
     scaled.SetInputConnection(surface.GetOutputPort())
@@ -156,7 +157,7 @@ def write_surfaces(drawn, task, options, steps):
             writer.SetViewDirection(options.view)
             writer.SetViewUp(options.up)
         elif outputs.extension_of(path) == ".3mf" or options.preset == "print":
-            scaled = in_millimeters(drawn.closed, options)
+            scaled = in_millimeters(drawn.closed, drawn.meters)
             writer.SetInputConnection(scaled.GetOutputPort())
         else:
             writer.SetInputConnection(drawn.closed.GetOutputPort())
@@ -180,6 +181,7 @@ def make_surface(task, texture, options, steps):
     if points.GetNumberOfPoints() == 0:
         raise ValueError(f"{scan_path}: no points found")
     colors = scan_colors.colors_of(points) if texture is None else None
+    meters = labels.meters_of(points, options.unit, "m", steps)
 
     network = learned_mesh(scan, options)
     steps.run("Learn the mesh", network)
@@ -211,7 +213,7 @@ def make_surface(task, texture, options, steps):
         texture = scan_colors.baked(cut, points, colors, options.texture_size)
         steps.run("Bake the scan's colors", texture, lambda: scan_colors.bake(texture, options.texture_size))
 
-    drawn = Drawn(result, cut, texture)
+    drawn = Drawn(result, cut, texture, meters)
     if options.normal_map:
         drawn.normal_map = details.normal_map(cut, smooth_surface(network, None, steps), steps)
     for number in details.numbers_of_points(options):
