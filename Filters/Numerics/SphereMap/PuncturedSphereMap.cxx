@@ -394,14 +394,40 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
 Index chooseBorderPuncture(
   const Points& points, const Triangles& triangles, const std::vector<char>& border)
 {
+  // Angles of the sheet at its vertices: pi where the border is straight.
+  std::vector<double> angles(points.rows(), 0.0), irregularities(points.rows(), 0.0);
+  std::vector<int> valences(points.rows(), 0);
+  const auto corner = [&](Index r, int k) { return Vector3(points.row(triangles(r, k))); };
+  const auto irregularityOf = [&](Index r)
+  { return irregularity(corner(r, 0), corner(r, 1), corner(r, 2)); };
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 u = corner(r, next(k)) - corner(r, k),
+                    v = corner(r, previous(k)) - corner(r, k);
+      const int id = triangles(r, k);
+      angles[id] += std::atan2(u.cross(v).norm(), u.dot(v));
+      irregularities[id] += irregularityOf(r);
+      ++valences[id];
+    }
+  }
   Index best = -1;
   double minimum = std::numeric_limits<double>::infinity();
   for (Index r = 0; r < triangles.rows(); ++r)
   {
-    const int onBorder =
-      border[triangles(r, 0)] + border[triangles(r, 1)] + border[triangles(r, 2)];
-    const double score = irregularity(
-      points.row(triangles(r, 0)), points.row(triangles(r, 1)), points.row(triangles(r, 2)));
+    int onBorder = 0;
+    double score = irregularityOf(r);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int id = triangles(r, k);
+      score += irregularities[id] / (3.0 * valences[id]);
+      if (border[id])
+      {
+        ++onBorder;
+        score += std::abs(angles[id] - Pi);
+      }
+    }
     if (onBorder == 2 && score < minimum)
     {
       minimum = score;

@@ -53,7 +53,8 @@ Points punctureToSphere(const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, Index puncture, const Run& run = {});
 
 /// Choose the puncture of a sheet (connected surface with one border and without handles): a
-/// triangle with exactly one edge on the border, nearly equilateral like the triangles around it.
+/// triangle with exactly one edge on the border, nearly equilateral like the triangles around it,
+/// where the border is nearly straight.
 /// @param[in] border  marks of the vertices on the border, see borderVertices()
 /// @return id of the triangle, or -1 if there is no such triangle
 Index chooseBorderPuncture(

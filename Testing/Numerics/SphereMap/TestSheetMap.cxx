@@ -144,8 +144,9 @@ TEST(SheetMap, ResemblesTheSheetFromItsFront)
 {
   const Mesh mesh = cap(8, 0.8);
   const auto disk = conformal::diskPositions(mapSheet(mesh).Positions);
-  EXPECT_GT((disk.col(0).array() * mesh.Positions.col(0).array()).sum(), 0.0);
-  EXPECT_NEAR((disk.col(0).array() * mesh.Positions.col(1).array()).sum(), 0.0, 1e-6);
+  const double along = (disk.col(0).array() * mesh.Positions.col(0).array()).sum();
+  EXPECT_GT(along, 0.0);
+  EXPECT_NEAR((disk.col(0).array() * mesh.Positions.col(1).array()).sum(), 0.0, 0.01 * along);
 }
 
 TEST(SheetMap, RefusesOtherSurfaces)
