@@ -3,11 +3,13 @@
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
+#include "Mesh/Sheet.h"
 #include "Sphere/MoebiusTransform.h"
 #include "SphereMap/BoundedTriangles.h"
 #include "SphereMap/FlipRepair.h"
 #include "SphereMap/PuncturedSphereMap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -48,11 +50,23 @@ Points toPoints(const std::vector<Vector3>& vectors)
   return result;
 }
 
+// Sheet whose double is mapped. Vertices and triangles of the sheet precede those of its mirror
+// image.
+struct Half
+{
+  const Mesh& Sheet;
+  const std::vector<char>& Border;
+  const std::vector<int>& MirrorIds; // of the double
+};
+
 class Mapper
 {
 public:
-  Mapper(const Points& places, const Triangles& triangles, const Run& run)
-    : Places(places)
+  // With `half`, the surface is the double of a sheet, and its map is symmetric.
+  Mapper(
+    const Points& places, const Triangles& triangles, const Run& run, const Half* half = nullptr)
+    : Sheet(half)
+    , Places(places)
     , Triangles(triangles)
     , Threads(run.unwatched())
     , Shapes(places, triangles)
@@ -67,16 +81,26 @@ public:
       cotangents.row(r) << 4.0 * quarters[0], 4.0 * quarters[1], 4.0 * quarters[2];
     }
     this->Strings = cotangentWeights(triangles, places.rows(), cotangents);
+    if (half)
+    {
+      const conformal::Triangles& own = half->Sheet.Triangles;
+      this->SheetStrings =
+        cotangentWeights(own, half->Sheet.Positions.rows(), cotangents.topRows(own.rows()));
+    }
   }
 
   HarmonicSphereMap run(Steps& steps) const
   {
-    const Index puncture = choosePuncture(this->Places, this->Triangles);
+    const Index puncture = this->firstPuncture();
+    if (puncture < 0)
+    {
+      return {};
+    }
     HarmonicSphereMap map = this->attempt(puncture, steps.next());
     const bool solved = map.Positions.rows() > 0;
     if (solved && (!map.OneToOne || this->areaRatioAround(map.Positions, puncture) < LimbShare))
     {
-      const Index better = choosePuncture(this->Places, this->Triangles, map.Positions);
+      const Index better = this->betterPuncture(map.Positions);
       HarmonicSphereMap other = this->attempt(better, steps.next());
       if (other.OneToOne &&
         (!map.OneToOne ||
@@ -91,6 +115,82 @@ public:
   }
 
 private:
+  Index firstPuncture() const
+  {
+    return this->Sheet ? chooseBorderPuncture(this->Sheet->Sheet.Positions,
+                           this->Sheet->Sheet.Triangles, this->Sheet->Border)
+                       : choosePuncture(this->Places, this->Triangles);
+  }
+
+  // Choose the triangle that a map enlarges most.
+  Index betterPuncture(const Points& positions) const
+  {
+    if (!this->Sheet)
+    {
+      return choosePuncture(this->Places, this->Triangles, positions);
+    }
+    const Mesh& sheet = this->Sheet->Sheet;
+    conformal::Triangles atBorder(sheet.Triangles.rows(), 3);
+    std::vector<Index> ids;
+    for (Index r = 0; r < sheet.Triangles.rows(); ++r)
+    {
+      const auto row = sheet.Triangles.row(r);
+      if (this->Sheet->Border[row[0]] + this->Sheet->Border[row[1]] + this->Sheet->Border[row[2]] ==
+        2)
+      {
+        atBorder.row(static_cast<Index>(ids.size())) = row;
+        ids.push_back(r);
+      }
+    }
+    return ids[choosePuncture(
+      sheet.Positions, atBorder.topRows(static_cast<Index>(ids.size())), positions)];
+  }
+
+  // Map by linear equations.
+  Points solved(Index puncture, const Run& run) const
+  {
+    if (!this->Sheet)
+    {
+      return punctureToSphere(this->Places, this->Triangles, this->Strings, puncture, run);
+    }
+    Points positions(this->Places.rows(), 3);
+    positions.topRows(this->Sheet->Sheet.Positions.rows()) =
+      punctureToHemisphere(this->Sheet->Sheet.Positions, this->Sheet->Sheet.Triangles,
+        this->SheetStrings, this->Sheet->Border, puncture, run);
+    this->mirror(positions);
+    return positions;
+  }
+
+  // Move the border of a sheet to the equator, and compute the other half from that of the sheet.
+  void mirror(Points& positions) const
+  {
+    for (Index v = 0; this->Sheet && v < this->Sheet->Sheet.Positions.rows(); ++v)
+    {
+      if (this->Sheet->Border[v])
+      {
+        positions(v, 2) = 0.0;
+        positions.row(v).normalize();
+      }
+      else
+      {
+        positions.row(this->Sheet->MirrorIds[v]) << positions(v, 0), positions(v, 1),
+          -positions(v, 2);
+      }
+    }
+  }
+
+  void center(Points& positions) const
+  {
+    centeringTransform(positions, this->Areas).applyTo(positions);
+    this->mirror(positions);
+  }
+
+  // Whether improve() may move a vertex.
+  bool isFree(Index v) const
+  {
+    return !this->Sheet || (v < this->Sheet->Sheet.Positions.rows() && !this->Sheet->Border[v]);
+  }
+
   SourceTriangle shapeOf(Index r) const
   {
     return this->Shapes.triangle(
@@ -105,14 +205,14 @@ private:
     map.NumberOfSolves = 1;
     try
     {
-      map.Positions =
-        punctureToSphere(this->Places, this->Triangles, this->Strings, puncture, steps.next());
+      map.Positions = this->solved(puncture, steps.next());
       steps.next();
-      centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
+      this->center(map.Positions);
       if (this->improve(map, steps.next()))
       {
         steps.next();
-        centeringTransform(map.Positions, this->Areas).applyTo(map.Positions);
+        this->mirror(map.Positions);
+        this->center(map.Positions);
         map.OneToOne = badTriangles(toVector(map.Positions), this->Triangles).empty();
       }
     }
@@ -162,7 +262,7 @@ private:
   {
     std::vector<int> ids(this->Places.rows());
     std::iota(ids.begin(), ids.end(), 0);
-    return ids;
+    return this->freeOf(ids);
   }
 
   std::vector<int> misshapenVertices(const std::vector<Vector3>& positions) const
@@ -202,6 +302,13 @@ private:
         }
       }
     }
+    return this->freeOf(ids);
+  }
+
+  std::vector<int> freeOf(std::vector<int> ids) const
+  {
+    ids.erase(
+      std::remove_if(ids.begin(), ids.end(), [&](int v) { return !this->isFree(v); }), ids.end());
     return ids;
   }
 
@@ -228,9 +335,11 @@ private:
     return maximum;
   }
 
+  const Half* const Sheet; // null for a closed surface
   const Points& Places;
   const conformal::Triangles& Triangles;
   const Run Threads; // threads without progress reports
+  EdgeWeights SheetStrings;
   BoundedTriangles Shapes, Angles;
   VertexRings Rings;
   Eigen::VectorXd Areas;
@@ -247,5 +356,22 @@ HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run)
   steps.next();
   const Mapper mapper(points, triangles, run);
   return mapper.run(steps);
+}
+
+//------------------------------------------------------------------------------
+HarmonicSphereMap mapSheetHarmonically(
+  const Mesh& sheet, const std::vector<char>& border, const Run& run)
+{
+  Steps steps(run, { 0.06, 0.84, 0.1 }); // tables, first attempt, rare second attempt
+  steps.next();
+  const DoubledSheet whole = doubled(sheet, border);
+  const Half half{ sheet, border, whole.MirrorIds };
+  const Mapper mapper(whole.Positions, whole.Triangles, run, &half);
+  HarmonicSphereMap map = mapper.run(steps);
+  if (map.Positions.rows() > 0)
+  {
+    map.Positions.conservativeResize(sheet.Positions.rows(), 3);
+  }
+  return map;
 }
 }

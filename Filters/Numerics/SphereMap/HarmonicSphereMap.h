@@ -9,6 +9,8 @@
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 
+#include <vector>
+
 namespace conformal
 {
 struct HarmonicSphereMap
@@ -34,6 +36,23 @@ struct HarmonicSphereMap
 /// @param[in] mesh  closed mesh of genus zero, with coordinates of magnitude about 1
 /// @post the result does not depend on the number of threads
 HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run = {});
+
+/// Map a sheet (connected surface with one border and without handles) conformally to the
+/// hemisphere z >= 0, with the border on the equator. The steps are those of mapHarmonically() for
+/// the sheet glued to its mirror image, with maps that are symmetric to the plane of the equator.
+/// Equations are solved for the sheet only, see punctureToHemisphere(). Vertices on the border are
+/// not moved in step 3. In the map, the mean of the sheet and its mirror image, weighted by area,
+/// is 0.
+///
+/// @param[in] sheet   sheet with coordinates of magnitude about 1 and without chords, see
+///   withSplitChords()
+/// @param[in] border  marks of the vertices on the border, see borderVertices()
+/// @return map of the sheet; z = 0 exactly on the border. If no triangle has exactly one edge on
+/// the
+///   border, the map has no positions.
+/// @post the result does not depend on the number of threads
+HarmonicSphereMap mapSheetHarmonically(
+  const Mesh& sheet, const std::vector<char>& border, const Run& run = {});
 }
 
 #endif

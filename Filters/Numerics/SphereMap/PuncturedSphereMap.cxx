@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -55,8 +56,11 @@ std::array<Complex, 2> flattened(const Vector3& a, const Vector3& b, const Vecto
 class PlaneMap
 {
 public:
-  PlaneMap(const Points& points, const Triangles& triangles, const Run& run, Plane& map)
-    : Places(points)
+  // With `isHalf`, the map is the upper half of one that is symmetric to the real axis.
+  PlaneMap(
+    const Points& points, const Triangles& triangles, const Run& run, Plane& map, bool isHalf)
+    : IsHalf(isHalf)
+    , Places(points)
     , Triangles(triangles)
     , Threads(run.unwatched())
     , Map(map)
@@ -69,8 +73,8 @@ public:
   // to each hemisphere. The mean of |z| on the sphere is then pi/2.
   void normalize()
   {
-    const Complex mean = this->Map.dot(this->VertexAreas.cast<Complex>());
-    this->Map.array() -= std::conj(mean);
+    const Complex mean = std::conj(this->Map.dot(this->VertexAreas.cast<Complex>()));
+    this->Map.array() -= this->IsHalf ? Complex(mean.real()) : mean;
     const double size = this->Map.cwiseAbs().dot(this->VertexAreas) / (2.0 * std::atan(1.0));
     if (!(size > 0.0 && std::isfinite(size)))
     {
@@ -127,6 +131,11 @@ public:
       matrix += matrices[block];
       side += sides[block];
     }
+    if (this->IsHalf) // the other half adds the conjugates
+    {
+      matrix = matrix.real().eval().cast<Complex>();
+      side = side.real().eval().cast<Complex>();
+    }
     matrix.diagonal().array() += 1e-12;
     const Vector found = matrix.ldlt().solve(side);
     if (!found.allFinite())
@@ -175,12 +184,32 @@ private:
       size > 0.0 ? byConjugate * byPlane / size : Complex(0.0) };
   }
 
+  const bool IsHalf;
   const Points& Places;
   const conformal::Triangles& Triangles;
   const Run Threads; // threads without progress reports
   Plane& Map;
   Eigen::VectorXd VertexAreas;
 };
+
+// Extend real parts (column 0) and imaginary parts (column 1) harmonically to the free vertices. On
+// the border of a sheet, imaginary parts are given. `border` is empty for a closed surface.
+void extend(const EdgeWeights& strings, const Points& points, const std::vector<int>& free,
+  const std::vector<char>& border, Columns& values, const Run& run)
+{
+  if (border.empty())
+  {
+    extendHarmonically(strings, points, free, values, run);
+    return;
+  }
+  std::vector<int> inside;
+  std::copy_if(
+    free.begin(), free.end(), std::back_inserter(inside), [&](int v) { return !border[v]; });
+  Columns real = values.col(0), imaginary = values.col(1);
+  extendHarmonically(strings, points, free, real, run.part(0.0, 0.5));
+  extendHarmonically(strings, points, inside, imaginary, run.part(0.5, 1.0));
+  values << real, imaginary;
+}
 
 // Return the radius of the border of the cap.
 double capRadius(const Plane& map)
@@ -193,6 +222,78 @@ double capRadius(const Plane& map)
   const auto place = radii.begin() + static_cast<Index>((1.0 - CapShare) * map.size());
   std::nth_element(radii.begin(), place, radii.end());
   return std::max(1.0, *place);
+}
+
+// Map a surface without one triangle to the sphere by the plane; see punctureToSphere(). The border
+// of a sheet is mapped to the real axis. `held` are the corners of the triangle, and `values` their
+// positions.
+Points planeToSphere(const Points& points, const Triangles& triangles, const EdgeWeights& strings,
+  const std::vector<char>& border, const Eigen::RowVector3i& held, Columns& values, const Run& run)
+{
+  const Index size = points.rows();
+  // Equations, correction, equations of about a third of the vertices, and their set-up.
+  Steps steps(run, { 0.68, 0.1, 0.04, 0.17, 0.01 });
+  std::vector<int> free;
+  for (int v = 0; v < size; ++v)
+  {
+    if (v != held[0] && v != held[1] && v != held[2])
+    {
+      free.push_back(v);
+    }
+  }
+  extend(strings, points, free, border, values, steps.next());
+  const Run correcting = steps.next();
+
+  Plane map = values.col(0).cast<Complex>() + Complex(0.0, 1.0) * values.col(1).cast<Complex>();
+  PlaneMap plane(points, triangles, run, map, !border.empty());
+  plane.normalize();
+  constexpr double everywhere = 1e30;
+  constexpr int rounds = 6, roundsForAll = 3;
+  for (int i = 0; i < rounds; ++i)
+  {
+    plane.correct(1, everywhere, i >= roundsForAll);
+    plane.normalize();
+    correcting.report((i + 1.0) / rounds);
+  }
+  steps.next();
+  const double radius = capRadius(map);
+  free.clear();
+  for (int v = 0; v < size; ++v)
+  {
+    if (std::abs(map[v]) > radius)
+    {
+      free.push_back(v);
+    }
+  }
+  plane.correct(MaximumPowers, Fit * radius, true);
+  for (Index v = 0; v < size; ++v)
+  {
+    const Complex w = 1.0 / map[v];
+    values.row(v) << w.real(), w.imag();
+  }
+  extend(strings, points, free, border, values, steps.next());
+  steps.next();
+
+  Points positions(size, 3);
+  for (Index v = 0; v < size; ++v)
+  {
+    const Complex z = map[v];
+    const double square = std::norm(z);
+    positions.row(v) << 2.0 * z.real(), 2.0 * z.imag(), 1.0 - square;
+    positions.row(v) /= 1.0 + square;
+  }
+  for (int v : free)
+  {
+    const Eigen::RowVector2d w = values.row(v);
+    const double square = w.squaredNorm();
+    positions.row(v) << 2.0 * w[0], -2.0 * w[1], square - 1.0;
+    positions.row(v) /= 1.0 + square;
+  }
+  if (!positions.allFinite())
+  {
+    throw NumericalFailure("the conformal map has coordinates that are not finite");
+  }
+  return positions;
 }
 }
 
@@ -280,75 +381,81 @@ Index choosePuncture(
 Points punctureToSphere(const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, Index puncture, const Run& run)
 {
-  const Index size = points.rows();
-  // Equations, correction, equations of about a third of the vertices, and their set-up.
-  Steps steps(run, { 0.68, 0.1, 0.04, 0.17, 0.01 });
   const Eigen::RowVector3i held = triangles.row(puncture);
   const auto [base, side] =
     flattened(points.row(held[0]), points.row(held[1]), points.row(held[2]));
-  Columns values = Columns::Zero(size, 2);
+  Columns values = Columns::Zero(points.rows(), 2);
   values.row(held[1]) << base.real(), 0.0;
   values.row(held[2]) << side.real(), -side.imag(); // mirrored: all other vertices lie inside
-  std::vector<int> free;
-  for (int v = 0; v < size; ++v)
+  return planeToSphere(points, triangles, strings, {}, held, values, run);
+}
+
+//------------------------------------------------------------------------------
+Index chooseBorderPuncture(
+  const Points& points, const Triangles& triangles, const std::vector<char>& border)
+{
+  // Angles of the sheet at its vertices: pi where the border is straight.
+  std::vector<double> angles(points.rows(), 0.0), irregularities(points.rows(), 0.0);
+  std::vector<int> valences(points.rows(), 0);
+  const auto corner = [&](Index r, int k) { return Vector3(points.row(triangles(r, k))); };
+  const auto irregularityOf = [&](Index r)
+  { return irregularity(corner(r, 0), corner(r, 1), corner(r, 2)); };
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
-    if (v != held[0] && v != held[1] && v != held[2])
+    for (int k = 0; k < 3; ++k)
     {
-      free.push_back(v);
+      const Vector3 u = corner(r, next(k)) - corner(r, k),
+                    v = corner(r, previous(k)) - corner(r, k);
+      const int id = triangles(r, k);
+      angles[id] += std::atan2(u.cross(v).norm(), u.dot(v));
+      irregularities[id] += irregularityOf(r);
+      ++valences[id];
     }
   }
-  extendHarmonically(strings, points, free, values, steps.next());
-  const Run correcting = steps.next();
-
-  Plane map = values.col(0).cast<Complex>() + Complex(0.0, 1.0) * values.col(1).cast<Complex>();
-  PlaneMap plane(points, triangles, run, map);
-  plane.normalize();
-  constexpr double everywhere = 1e30;
-  constexpr int rounds = 6, roundsForAll = 3;
-  for (int i = 0; i < rounds; ++i)
+  Index best = -1;
+  double minimum = std::numeric_limits<double>::infinity();
+  for (Index r = 0; r < triangles.rows(); ++r)
   {
-    plane.correct(1, everywhere, i >= roundsForAll);
-    plane.normalize();
-    correcting.report((i + 1.0) / rounds);
-  }
-  steps.next();
-  const double radius = capRadius(map);
-  free.clear();
-  for (int v = 0; v < size; ++v)
-  {
-    if (std::abs(map[v]) > radius)
+    int onBorder = 0;
+    double score = irregularityOf(r);
+    for (int k = 0; k < 3; ++k)
     {
-      free.push_back(v);
+      const int id = triangles(r, k);
+      score += irregularities[id] / (3.0 * valences[id]);
+      if (border[id])
+      {
+        ++onBorder;
+        score += std::abs(angles[id] - Pi);
+      }
+    }
+    if (onBorder == 2 && score < minimum)
+    {
+      minimum = score;
+      best = r;
     }
   }
-  plane.correct(MaximumPowers, Fit * radius, true);
-  for (Index v = 0; v < size; ++v)
-  {
-    const Complex w = 1.0 / map[v];
-    values.row(v) << w.real(), w.imag();
-  }
-  extendHarmonically(strings, points, free, values, steps.next());
-  steps.next();
+  return best;
+}
 
-  Points positions(size, 3);
-  for (Index v = 0; v < size; ++v)
+//------------------------------------------------------------------------------
+Points punctureToHemisphere(const Points& points, const Triangles& triangles,
+  const EdgeWeights& strings, const std::vector<char>& border, Index puncture, const Run& run)
+{
+  Eigen::RowVector3i held = triangles.row(puncture);
+  while (border[held[2]]) // let the first two corners be on the border
   {
-    const Complex z = map[v];
-    const double square = std::norm(z);
-    positions.row(v) << 2.0 * z.real(), 2.0 * z.imag(), 1.0 - square;
-    positions.row(v) /= 1.0 + square;
+    held = Eigen::RowVector3i(held[1], held[2], held[0]);
   }
-  for (int v : free)
-  {
-    const Eigen::RowVector2d w = values.row(v);
-    const double square = w.squaredNorm();
-    positions.row(v) << 2.0 * w[0], -2.0 * w[1], square - 1.0;
-    positions.row(v) /= 1.0 + square;
-  }
-  if (!positions.allFinite())
-  {
-    throw NumericalFailure("the conformal map has coordinates that are not finite");
-  }
-  return positions;
+  // The rest of the sheet is inside of the triangle, between the border on the real axis and the
+  // third corner.
+  const auto [base, side] =
+    flattened(points.row(held[1]), points.row(held[0]), points.row(held[2]));
+  Columns values = Columns::Zero(points.rows(), 2);
+  values.row(held[0]) << base.real(), 0.0;
+  values.row(held[2]) << side.real(), side.imag();
+  const Points positions = planeToSphere(points, triangles, strings, border, held, values, run);
+  Points turned(positions.rows(), 3);
+  turned << positions.col(0), -positions.col(2), positions.col(1);
+  return turned;
 }
 }

@@ -8,6 +8,8 @@
 #include "Base/Types.h"
 #include "Linear/EdgeWeights.h"
 
+#include <vector>
+
 namespace conformal
 {
 /// Choose the triangle to remove before the surface is mapped (the puncture). The triangle is
@@ -49,6 +51,27 @@ Index choosePuncture(
 /// @throws NumericalFailure if the equations have no finite solution
 Points punctureToSphere(const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, Index puncture, const Run& run = {});
+
+/// Choose the puncture of a sheet (connected surface with one border and without handles): a
+/// triangle with exactly one edge on the border, nearly equilateral like the triangles around it,
+/// where the border is nearly straight.
+/// @param[in] border  marks of the vertices on the border, see borderVertices()
+/// @return id of the triangle, or -1 if there is no such triangle
+Index chooseBorderPuncture(
+  const Points& points, const Triangles& triangles, const std::vector<char>& border);
+
+/// Map a sheet to the hemisphere z >= 0, with the border on the equator. This is the map of
+/// punctureToSphere() for the sheet glued to its mirror image, with a puncture that is its own
+/// mirror image. By symmetry, only the unknowns of the sheet are computed. In the plane, the border
+/// is on the real axis: imaginary parts are 0 there, and real parts have no derivative across the
+/// border.
+/// @param[in] strings   weights of the edges: result of cotangentWeights() for the sheet
+/// @param[in] border    marks of the vertices on the border
+/// @param[in] puncture  triangle with exactly one edge on the border
+/// @return #V by 3 unit vectors, with z = 0 exactly on the border
+/// @throws NumericalFailure if the equations have no finite solution
+Points punctureToHemisphere(const Points& points, const Triangles& triangles,
+  const EdgeWeights& strings, const std::vector<char>& border, Index puncture, const Run& run = {});
 }
 
 #endif

@@ -1,0 +1,50 @@
+/// Map sheets to the disk, conformally, by the Schottky double of \cite Ahlfors1960. A sheet is a
+/// connected surface with one border and without handles.
+
+#ifndef ConformalSheetMap_h
+#define ConformalSheetMap_h
+
+#include "Base/Run.h"
+#include "Base/Types.h"
+#include "Mesh/Mesh.h"
+
+namespace conformal
+{
+/// Test whether the triangles are a sheet: connected, manifold, consistently oriented, with one
+/// border, and without handles.
+bool isSheet(const Triangles& triangles, Index numberOfVertices);
+
+struct SheetMapResult
+{
+  /// #V by 3 unit vectors on the hemisphere z >= 0; z = 0 exactly on the border
+  Points Positions;
+  double Energy = 0.0;      ///< harmonic energy; 2 pi for a conformal map, larger for any other
+  Index NumberOfSolves = 0; ///< number of attempts, each with equations
+  bool Repaired = false;    ///< whether folds (flipped triangles) were repaired
+  /// Number of triangles of the disk that are flipped or have no area, see diskPositions()
+  Index NumberOfFlippedTriangles = 0;
+};
+
+/// Map a sheet conformally to the hemisphere z >= 0, with the border on the equator. The sheet
+/// glued to its mirror image is a closed surface. Its conformal map to the sphere is symmetric, and
+/// maps the border to the equator. Only the half of the sheet is computed, see
+/// mapSheetHarmonically().
+///
+/// The map is unique up to a Moebius transform of the disk. It is chosen so that the mean of the
+/// sheet and its mirror image, weighted by area, is the center of the sphere. The hemisphere is
+/// then rotated about the axis z, so that the disk resembles the sheet seen from its front, with
+/// the direction x to the right.
+///
+/// @param[in] sheet  isSheet(), with finite positions, all of them used by triangles
+/// @throws std::invalid_argument if the surface is not a sheet, or a position is not finite
+/// @throws NumericalFailure if the map cannot be computed without folds
+/// @post the result does not depend on the number of threads
+SheetMapResult mapSheet(const Mesh& sheet, const Run& run = {});
+
+/// Project the hemisphere z >= 0 stereographically to the unit disk: (x, y) / (1 + z).
+/// @return #V by 2 positions; length 1 on the equator
+Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor> diskPositions(
+  const Points& spherePositions);
+}
+
+#endif
