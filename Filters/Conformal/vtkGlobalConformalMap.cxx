@@ -6,13 +6,19 @@
 #include "Glue/Points.h"
 #include "Glue/Run.h"
 #include "SphereMap/GlobalConformalMap.h"
+#include "SphereMap/SheetMap.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+
+#include <stdexcept>
+#include <utility>
 
 vtkStandardNewMacro(vtkGlobalConformalMap);
 
@@ -30,6 +36,43 @@ void AddFigures(vtkFieldData* data, const conformal::GlobalConformalMapResult& m
     static_cast<long long>(map.NumberOfNegativeStringConstants));
   AddNumber(data, "NumberOfInfiniteStringConstants",
     static_cast<long long>(map.NumberOfInfiniteStringConstants));
+}
+
+// Map a sheet, and describe the map like that of a closed surface.
+conformal::GlobalConformalMapResult MapSheet(const conformal::Mesh& sheet,
+  const conformal::GlobalConformalMapOptions& options, const conformal::Run& run)
+{
+  if (options.Method != conformal::GlobalConformalMethod::Robust || options.AreaBalance > 0.0)
+  {
+    throw std::invalid_argument("a surface with a border is mapped only by Method ROBUST with "
+                                "AreaBalance 0");
+  }
+  conformal::SheetMapResult map = conformal::mapSheet(sheet, run);
+  conformal::GlobalConformalMapResult result;
+  result.Positions = std::move(map.Positions);
+  result.Tier = map.Repaired ? conformal::GlobalConformalTier::Repaired
+                             : conformal::GlobalConformalTier::Harmonic;
+  result.Energy = map.Energy;
+  result.NumberOfIterations = map.NumberOfSolves;
+  result.NumberOfFlippedTriangles = map.NumberOfFlippedTriangles;
+  result.Converged = map.NumberOfFlippedTriangles == 0;
+  result.NumberOfNegativeStringConstants = map.NumberOfNegativeStringConstants;
+  result.NumberOfInfiniteStringConstants = map.NumberOfInfiniteStringConstants;
+  return result;
+}
+
+void AddDiskPositions(vtkPointData* data, const conformal::Points& spherePositions)
+{
+  const auto disk = conformal::diskPositions(spherePositions);
+  const vtkNew<vtkDoubleArray> array;
+  array->SetName("DiskPosition");
+  array->SetNumberOfComponents(2);
+  array->SetNumberOfTuples(disk.rows());
+  for (conformal::Index i = 0; i < disk.size(); ++i)
+  {
+    array->SetValue(i, disk.data()[i]);
+  }
+  data->AddArray(array);
 }
 
 void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResult& map)
@@ -77,13 +120,19 @@ int vtkGlobalConformalMap::RequestData(
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       // Relative costs of mesh, map and output.
       conformal::Steps steps(glue::RunOf(this), { 0.08, 0.91, 0.01 });
-      const auto mesh = glue::ToClosedMesh(this, surface, frame, steps.next());
+      const auto mesh =
+        glue::ToClosedMesh(this, surface, frame, steps.next(), glue::Topology::ClosedOrSheet);
       const conformal::Mesh outward = glue::Outward(mesh);
-      const conformal::GlobalConformalMapResult map =
-        conformal::globalConformalMap(outward, options, steps.next());
+      const conformal::GlobalConformalMapResult map = mesh.IsSheet
+        ? MapSheet(outward, options, steps.next())
+        : conformal::globalConformalMap(outward, options, steps.next());
       steps.next();
       glue::PassClosedMesh(surface, mesh, frame, output);
       glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map.Positions);
+      if (mesh.IsSheet)
+      {
+        AddDiskPositions(output->GetPointData(), map.Positions);
+      }
       AddFigures(output->GetFieldData(), map);
       WarnOf(this, map);
     });

@@ -6,27 +6,36 @@
  * so that angles of triangles are preserved. The positions are the point array "SpherePosition".
  * The field data state whether the computation has converged, and the number of flipped triangles.
  *
- * Input port 0: vtkPolyData, a closed surface without handles. Polygons and strips are treated as
+ * Input port 0: vtkPolyData, a closed surface without handles, or a sheet: a connected surface with
+ * one border and without handles. Polygons and strips are treated as
  * triangles. Coincident points of open edges (edges of only one triangle) are merged, triangles are
  * oriented consistently, and points that belong to no triangle are dropped. Each kind of change
  * causes a warning.
  *
  * Output port 0: the input, or only its triangles if one of the changes above was made, with
  * - point array "SpherePosition" (double, 3 components): position of the point on the unit sphere.
+ * - point array "DiskPosition" (double, 2 components), only of a sheet: position of the point in
+ * the unit disk, by a conformal map. Points on the border have length 1.
+ *
+ * A sheet is mapped to the hemisphere z >= 0, with its border exactly on the equator. The conformal
+ * map of the sheet glued to its mirror image is symmetric; only the half of the sheet is computed.
+ * "DiskPosition" is the stereographic projection of this hemisphere. The direction x in the disk is
+ * the direction x of the sheet, seen from its front. Sheets are mapped only by Method ROBUST with
+ * AreaBalance 0. Filters for closed surfaces, such as vtkSphericalRegistration, reject sheets.
  *
  * The harmonic energy measures how far a map is from conformal. It is half the sum over all edges
  * of a weight times the squared length of the edge on the sphere. The weight, called the string
  * constant, is half the sum of the cotangents of the two angles opposite to the edge. Field data
  * (one value each):
- * - "Energy" (double): harmonic energy of the map; 4 pi for a conformal map, larger for any other
- *   map.
+ * - "Energy" (double): harmonic energy of the map; 4 pi for a conformal map (2 pi for that of a
+ *   sheet), larger for any other map.
  * - "NumberOfIterations" (vtkIdType): number of steps if Method is GUYAU, or number of linear
  *   solves if Method is ROBUST.
  * - "Converged" (vtkIdType): 1 if no triangle is flipped. If Method is GUYAU, two more conditions
  *   must hold: both phases of the computation have reached the Tolerance, and no string constant is
  *   infinite.
  * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles that are flipped or have no area on
- *   the sphere, by exact arithmetic.
+ *   the sphere, by exact arithmetic; of a sheet, in the disk.
  * - "SphereMapTier" (vtkIdType): number of the algorithm with which Method ROBUST succeeded. 0:
  *   linear equations were sufficient. 1: folded triangles were also repaired locally. 2: vertices
  *   were inserted one by one without folds. Algorithm 2 is used if AreaBalance is above 0, or if

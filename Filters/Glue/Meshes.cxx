@@ -159,10 +159,18 @@ struct Repairs
   conformal::Index Merged = 0, Repeated = 0, Turned = 0, Isolated = 0;
 };
 
+bool IsAccepted(const conformal::GenusZeroReport& report, glue::Topology topology)
+{
+  const bool isSheet = report.manifold() && report.NumberOfComponents == 1 && report.Orientable &&
+    report.NumberOfBoundaryLoops == 1 && report.EulerNumber == 1;
+  return report.isGenusZero() || (topology == glue::Topology::ClosedOrSheet && isSheet);
+}
+
 // Repair a mesh without loss. Positions and point ids of the mesh are set only if the repaired mesh
-// has genus zero.
+// is accepted.
 Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
-  conformal::GenusZeroReport& report, const conformal::Run& run = {})
+  conformal::GenusZeroReport& report, const conformal::Run& run = {},
+  glue::Topology topology = glue::Topology::Closed)
 {
   Repairs done;
   conformal::Triangles& triangles = mesh.Triangles;
@@ -176,15 +184,16 @@ Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   {
     report = conformal::checkGenusZero(triangles, points.rows(), points);
   }
-  if (!report.isGenusZero())
+  if (!IsAccepted(report, topology))
   {
     return done;
   }
+  mesh.IsSheet = !report.isGenusZero();
   if (!report.InconsistentEdges.empty())
   {
     done.Turned = conformal::orientConsistently(triangles);
   }
-  mesh.InsideOut = conformal::signedVolume(points, triangles) < 0.0;
+  mesh.InsideOut = !mesh.IsSheet && conformal::signedVolume(points, triangles) < 0.0;
   const std::vector<int> kept = conformal::dropIsolatedPoints(triangles, points.rows());
   mesh.PointIds.assign(kept.begin(), kept.end());
   mesh.Positions.resize(static_cast<conformal::Index>(kept.size()), 3);
@@ -251,7 +260,7 @@ bool HasCellIds(vtkPolyData* surface)
 
 //------------------------------------------------------------------------------
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
-  const conformal::CoordinateFrame& frame, const conformal::Run& run)
+  const conformal::CoordinateFrame& frame, const conformal::Run& run, Topology topology)
 {
   conformal::Steps steps(run, { 0.09, 0.01, 0.9 });
   steps.next();
@@ -267,11 +276,11 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   }
 
   conformal::GenusZeroReport report;
-  const Repairs done = Repair(points, mesh, report, steps.next());
-  if (!report.isGenusZero())
+  const Repairs done = Repair(points, mesh, report, steps.next(), topology);
+  if (!IsAccepted(report, topology))
   {
-    throw std::invalid_argument(
-      "the surface must be closed, manifold, in one piece and of genus zero, but it is " +
+    throw std::invalid_argument("the surface must be closed, manifold, in one piece and of genus "
+                                "zero, but it is " +
       Sentence(report) + ". vtkGenusZeroCheck lists all faults.");
   }
   if (done.Merged > 0)

@@ -34,6 +34,13 @@ bool HasTriangles(vtkPolyData* surface);
 /// Return whether all cells contain only valid point ids.
 bool HasCellIds(vtkPolyData* surface);
 
+/// Which surfaces ToClosedMesh() accepts.
+enum class Topology
+{
+  Closed,       ///< closed surfaces of genus zero
+  ClosedOrSheet ///< also sheets: connected surfaces with one border and without handles
+};
+
 /// Closed surface of genus zero that satisfies the requirements of the numerical core. Positions
 /// are finite, in coordinates of the frame passed to ToClosedMesh(). Each vertex belongs to a
 /// triangle. All triangles have three distinct vertices, and consistent orientation.
@@ -44,6 +51,8 @@ struct ClosedMesh : conformal::Mesh
   /// Whether all triangles are clockwise seen from outside, as in the source surface. If true,
   /// Outward() reverses the triangles in its copy.
   bool InsideOut = false;
+  /// Whether the surface is a sheet: it has one border. Then InsideOut is false.
+  bool IsSheet = false;
 };
 
 /// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired. One
@@ -57,11 +66,13 @@ struct ClosedMesh : conformal::Mesh
 /// @param[in] self   object that issues the warnings
 /// @param[in] frame  coordinate frame of the result. The points of the surface must be among the
 ///   points from which the frame was computed.
+/// @param[in] topology  which surfaces are accepted
 /// @throws std::invalid_argument if coordinates are not finite
 /// @throws std::invalid_argument if the repaired surface is open, not manifold, disconnected, or
 ///   not of genus zero. The message contains the number of defects, such as open edges.
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
-  const conformal::CoordinateFrame& frame, const conformal::Run& run = {});
+  const conformal::CoordinateFrame& frame, const conformal::Run& run = {},
+  Topology topology = Topology::Closed);
 
 /// Return a copy of a closed mesh whose triangles are counter-clockwise seen from outside.
 conformal::Mesh Outward(const ClosedMesh& mesh);

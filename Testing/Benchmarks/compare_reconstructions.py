@@ -14,6 +14,7 @@ Tables (--tables), with their measures:
               compared with the object's triangles, which no method gets. Column "normals given" is "true" for the
               object's exact normals, "own" where the library estimates normals, and "-" for methods without normals.
   charts      texture coordinates (chart_methods.py)
+  seams       colors at the two sides of the seams of texture coordinates (chart_methods.py)
   maps        maps to the sphere and to the plane (map_methods.py)
   harmonics   spherical harmonics (harmonics_methods.py)
 The first table is for learned points, the others for the object's triangles. Each method runs in a process of its own.
@@ -108,6 +109,7 @@ def meshes(arguments):
 
 TABLES = {"surfaces": surfaces,
           "charts": lambda arguments: chart_methods.print_table(meshes(arguments)),
+          "seams": lambda arguments: chart_methods.print_seams(meshes(arguments)),
           "maps": lambda arguments: map_methods.print_table(meshes(arguments)),
           "harmonics": lambda arguments: harmonics_methods.print_table(meshes(arguments), arguments.degrees)}
 

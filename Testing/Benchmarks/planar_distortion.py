@@ -38,3 +38,24 @@ def planar_distortion(x, triangles, plane, charts=None):
     largest = 0.5 * (total + np.sqrt(np.maximum(total**2 - 4.0 * product**2, 0.0)))  # squared stretch
     return (np.mean(largest / product), np.abs(corner_angles(u, v, w) - corner_angles(a, b, c)).mean(),
             np.std(np.log(product)), int(flipped))
+
+
+def stretch(x, triangles, plane):
+    """Stretch L2 and the largest stretch Linf of Sander, Snyder, Gortler, Hoppe (2001), from the plane to the surface.
+
+    1 is the best possible: the plane is scaled so that its area is that of the surface. Triangles without area are left
+    out.
+    """
+    a, b, c = (x[triangles[:, k]] for k in range(3))
+    u, v, w = (plane[triangles[:, k]] for k in range(3))
+    area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    twice = (v - u)[:, 0] * (w - u)[:, 1] - (v - u)[:, 1] * (w - u)[:, 0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        by_s = (a * (v - w)[:, 1:] + b * (w - u)[:, 1:] + c * (u - v)[:, 1:]) / twice[:, None]
+        by_t = (a * (w - v)[:, :1] + b * (u - w)[:, :1] + c * (v - u)[:, :1]) / twice[:, None]
+        squares = (by_s**2).sum(axis=1), (by_t**2).sum(axis=1), (by_s * by_t).sum(axis=1)
+        sum_, difference = squares[0] + squares[1], squares[0] - squares[1]
+        largest = np.sqrt(0.5 * (sum_ + np.sqrt(difference**2 + 4.0 * squares[2] ** 2)))
+    scale = np.sqrt(0.5 * np.abs(twice).sum() / area.sum())
+    kept = (area > 0.0) & (twice != 0.0)
+    return (scale * np.sqrt((0.5 * sum_ * area)[kept].sum() / area[kept].sum()), scale * largest[kept].max())

@@ -21,7 +21,7 @@ import map_methods  # pylint: disable=wrong-import-position
 import scanner_noise  # pylint: disable=wrong-import-position
 from curvature_error import Curvature  # pylint: disable=wrong-import-position
 from known_objects import facet_normals, mismatch, rms, triangles_of  # pylint: disable=wrong-import-position
-from planar_distortion import planar_distortion  # pylint: disable=wrong-import-position
+from planar_distortion import planar_distortion, stretch  # pylint: disable=wrong-import-position
 from separate_process import measured, rounded  # pylint: disable=wrong-import-position
 
 
@@ -126,6 +126,15 @@ class TestBenchmarks(unittest.TestCase):
         moved = np.column_stack([u, v])
         moved[5] += 1.5
         self.assertEqual(planar_distortion(x, triangles, moved)[3], 2)
+
+    def test_the_stretch_of_a_known_map_to_the_plane_is_exact(self):
+        """Twice as long in one direction: sqrt((2 + 1 / 2) / 2) after areas are equal, at most sqrt(2)."""
+        u, v = (grid.ravel() for grid in np.meshgrid(np.arange(4.0), np.arange(4.0)))
+        triangles = np.array([[0, 1, 5], [0, 5, 4], [5, 6, 10], [6, 11, 10]])
+        x = np.column_stack([u, v, 0.0 * u])
+        for plane, expected in ((np.column_stack([7.0 * v, -7.0 * u]), (1.0, 1.0)),
+                                (np.column_stack([2.0 * u, v]), (np.sqrt(1.25), np.sqrt(2.0)))):
+            np.testing.assert_allclose(stretch(x, triangles, plane), expected, rtol=1e-12)
 
     def test_an_image_of_the_sphere_is_one_chart(self):
         surface = sphere(20)

@@ -98,8 +98,10 @@ SheetMapResult mapSheet(const Mesh& sheet, const Run& run)
   result.Repaired = map.Repaired;
   result.Positions = map.Positions.topRows(sheet.Positions.rows());
   turn(result.Positions, unit);
-  result.Energy =
-    stringEnergy(harmonicStrings(unit.Positions, unit.Triangles).Strings, result.Positions);
+  const StringConstants strings = harmonicStrings(unit.Positions, unit.Triangles);
+  result.NumberOfNegativeStringConstants = strings.NumberOfNegative;
+  result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;
+  result.Energy = stringEnergy(strings.Strings, result.Positions);
   result.NumberOfFlippedTriangles = countFlipped(result.Positions, sheet.Triangles);
   run.report(1.0);
   return result;

@@ -21,6 +21,10 @@ struct SheetMapResult
   double Energy = 0.0;      ///< harmonic energy; 2 pi for a conformal map, larger for any other
   Index NumberOfSolves = 0; ///< number of attempts, each with equations
   bool Repaired = false;    ///< whether folds (flipped triangles) were repaired
+  /// Number of edges with a negative string constant (cotangent weight)
+  Index NumberOfNegativeStringConstants = 0;
+  /// Number of edges of triangles with zero area
+  Index NumberOfInfiniteStringConstants = 0;
   /// Number of triangles of the disk that are flipped or have no area, see diskPositions()
   Index NumberOfFlippedTriangles = 0;
 };
