@@ -123,15 +123,20 @@ int vtkGlobalConformalMap::RequestData(
       const auto mesh =
         glue::ToClosedMesh(this, surface, frame, steps.next(), glue::Topology::ClosedOrSheet);
       const conformal::Mesh outward = glue::Outward(mesh);
-      const conformal::GlobalConformalMapResult map = mesh.IsSheet
+      const conformal::GlobalConformalMapResult map = mesh.NumberOfBorders > 0
         ? MapSheet(outward, options, steps.next())
         : conformal::globalConformalMap(outward, options, steps.next());
       steps.next();
       glue::PassClosedMesh(surface, mesh, frame, output);
       glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map.Positions);
-      if (mesh.IsSheet)
+      if (mesh.NumberOfBorders > 0)
       {
         AddDiskPositions(output->GetPointData(), map.Positions);
+      }
+      if (mesh.NumberOfBorders > 1)
+      {
+        vtkWarningMacro(<< "the surface has " << mesh.NumberOfBorders << " borders; the longest is "
+                        << "mapped to the circle, and the others are mapped as holes inside");
       }
       AddFigures(output->GetFieldData(), map);
       WarnOf(this, map);

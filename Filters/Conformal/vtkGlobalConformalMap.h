@@ -7,7 +7,7 @@
  * The field data state whether the computation has converged, and the number of flipped triangles.
  *
  * Input port 0: vtkPolyData, a closed surface without handles, or a sheet: a connected surface with
- * one border and without handles. Polygons and strips are treated as
+ * a border and without handles. Polygons and strips are treated as
  * triangles. Coincident points of open edges (edges of only one triangle) are merged, triangles are
  * oriented consistently, and points that belong to no triangle are dropped. Each kind of change
  * causes a warning.
@@ -17,11 +17,13 @@
  * - point array "DiskPosition" (double, 2 components), only of a sheet: position of the point in
  * the unit disk, by a conformal map. Points on the border have length 1.
  *
- * A sheet is mapped to the hemisphere z >= 0, with its border exactly on the equator. The conformal
- * map of the sheet glued to its mirror image is symmetric; only the half of the sheet is computed.
- * "DiskPosition" is the stereographic projection of this hemisphere. The direction x in the disk is
- * the direction x of the sheet, seen from its front. Sheets are mapped only by Method ROBUST with
- * AreaBalance 0. Filters for closed surfaces, such as vtkSphericalRegistration, reject sheets.
+ * A sheet is mapped to the hemisphere z >= 0, with its border exactly on the equator. If there are
+ * several borders, this is the longest; others are mapped as holes inside, and there is a warning.
+ * The conformal map of the sheet glued to its mirror image is symmetric; only the half of the sheet
+ * is computed. "DiskPosition" is the stereographic projection of this hemisphere. The direction x
+ * in the disk is the direction x of the sheet, seen from its front. Sheets are mapped only by
+ * Method ROBUST with AreaBalance 0. Filters for closed surfaces, such as vtkSphericalRegistration,
+ * reject sheets.
  *
  * The harmonic energy measures how far a map is from conformal. It is half the sum over all edges
  * of a weight times the squared length of the edge on the sphere. The weight, called the string

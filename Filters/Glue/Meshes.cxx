@@ -161,9 +161,7 @@ struct Repairs
 
 bool IsAccepted(const conformal::GenusZeroReport& report, glue::Topology topology)
 {
-  const bool isSheet = report.manifold() && report.NumberOfComponents == 1 && report.Orientable &&
-    report.NumberOfBoundaryLoops == 1 && report.EulerNumber == 1;
-  return report.isGenusZero() || (topology == glue::Topology::ClosedOrSheet && isSheet);
+  return report.isGenusZero() || (topology == glue::Topology::ClosedOrSheet && report.isSheet());
 }
 
 // Repair a mesh without loss. Positions and point ids of the mesh are set only if the repaired mesh
@@ -188,12 +186,12 @@ Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   {
     return done;
   }
-  mesh.IsSheet = !report.isGenusZero();
+  mesh.NumberOfBorders = static_cast<int>(report.NumberOfBoundaryLoops);
   if (!report.InconsistentEdges.empty())
   {
     done.Turned = conformal::orientConsistently(triangles);
   }
-  mesh.InsideOut = !mesh.IsSheet && conformal::signedVolume(points, triangles) < 0.0;
+  mesh.InsideOut = mesh.NumberOfBorders == 0 && conformal::signedVolume(points, triangles) < 0.0;
   const std::vector<int> kept = conformal::dropIsolatedPoints(triangles, points.rows());
   mesh.PointIds.assign(kept.begin(), kept.end());
   mesh.Positions.resize(static_cast<conformal::Index>(kept.size()), 3);

@@ -38,7 +38,7 @@ bool HasCellIds(vtkPolyData* surface);
 enum class Topology
 {
   Closed,       ///< closed surfaces of genus zero
-  ClosedOrSheet ///< also sheets: connected surfaces with one border and without handles
+  ClosedOrSheet ///< also sheets: connected surfaces with borders and without handles
 };
 
 /// Closed surface of genus zero that satisfies the requirements of the numerical core. Positions
@@ -51,8 +51,7 @@ struct ClosedMesh : conformal::Mesh
   /// Whether all triangles are clockwise seen from outside, as in the source surface. If true,
   /// Outward() reverses the triangles in its copy.
   bool InsideOut = false;
-  /// Whether the surface is a sheet: it has one border. Then InsideOut is false.
-  bool IsSheet = false;
+  int NumberOfBorders = 0; ///< above 0 for a sheet; then InsideOut is false
 };
 
 /// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired. One

@@ -53,6 +53,14 @@ struct GenusZeroReport
     return this->closed() && this->manifold() && this->NumberOfComponents == 1 &&
       this->EulerNumber == 2;
   }
+  /// Test whether the mesh is a sheet: manifold and connected, with a border or several, and
+  /// without handles. The result can be true for inconsistently oriented triangles, see
+  /// InconsistentEdges.
+  bool isSheet() const
+  {
+    return this->manifold() && this->Orientable && this->NumberOfComponents == 1 &&
+      this->NumberOfBoundaryLoops >= 1 && this->EulerNumber == 2 - this->NumberOfBoundaryLoops;
+  }
 };
 
 /// Check the topology of a mesh. If points are given, also check for non-finite coordinates, for

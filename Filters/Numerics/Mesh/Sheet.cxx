@@ -1,5 +1,7 @@
 #include "Mesh/Sheet.h"
 
+#include "Mesh/GenusZeroCheck.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -89,6 +91,59 @@ std::vector<char> borderVertices(const Triangles& triangles, Index numberOfVerti
     i = end;
   }
   return marks;
+}
+
+//------------------------------------------------------------------------------
+Mesh withFilledHoles(const Mesh& mesh)
+{
+  std::map<int, int> nextOnBorder;
+  for (const Edge& edge : checkGenusZero(mesh.Triangles, mesh.Positions.rows()).BoundaryEdges)
+  {
+    nextOnBorder[edge[0]] = edge[1];
+  }
+  std::vector<std::vector<int>> loops;
+  std::size_t longest = 0;
+  double maximum = -1.0;
+  while (!nextOnBorder.empty())
+  {
+    std::vector<int> loop;
+    double length = 0.0;
+    for (auto at = nextOnBorder.begin(); at != nextOnBorder.end();)
+    {
+      const auto [from, to] = *at;
+      loop.push_back(from);
+      length += (mesh.Positions.row(to) - mesh.Positions.row(from)).norm();
+      nextOnBorder.erase(at);
+      at = nextOnBorder.find(to);
+    }
+    if (length > maximum)
+    {
+      maximum = length;
+      longest = loops.size();
+    }
+    loops.push_back(loop);
+  }
+  Mesh filled = mesh;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    if (i == longest)
+    {
+      continue;
+    }
+    const auto size = static_cast<Index>(loops[i].size());
+    const Index first = filled.Triangles.rows();
+    const auto center = static_cast<int>(filled.Positions.rows());
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    filled.Triangles.conservativeResize(first + size, 3);
+    for (Index k = 0; k < size; ++k)
+    {
+      sum += mesh.Positions.row(loops[i][k]);
+      filled.Triangles.row(first + k) << loops[i][(k + 1) % size], loops[i][k], center;
+    }
+    filled.Positions.conservativeResize(center + 1, 3);
+    filled.Positions.row(center) = sum / static_cast<double>(size);
+  }
+  return filled;
 }
 
 //------------------------------------------------------------------------------

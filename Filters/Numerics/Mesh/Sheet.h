@@ -1,5 +1,6 @@
-/// Describe sheets: connected surfaces with one border and without handles. Glue a sheet to its
-/// mirror image, which gives a closed surface, the Schottky double of \cite Ahlfors1960.
+/// Describe sheets: connected surfaces with a border and without handles. Fill their holes. Glue a
+/// sheet to its mirror image, which gives a closed surface, the Schottky double of \cite
+/// Ahlfors1960.
 
 #ifndef ConformalSheet_h
 #define ConformalSheet_h
@@ -14,6 +15,10 @@ namespace conformal
 /// Mark the vertices on the border of a mesh: the vertices of edges with a single triangle.
 /// @return #V marks, 1 on the border, otherwise 0
 std::vector<char> borderVertices(const Triangles& triangles, Index numberOfVertices);
+
+/// Fill all borders of a manifold but the longest, each by triangles around a new vertex at the
+/// center of its vertices. New vertices and triangles follow the old ones.
+Mesh withFilledHoles(const Mesh& mesh);
 
 /// Split chords: edges inside of the mesh whose two ends are on the border. A new vertex is placed
 /// in the middle of each chord. In a map that places the border on a circle, a triangle at the

@@ -69,8 +69,7 @@ Index countFlipped(const Points& spherePositions, const Triangles& triangles)
 bool isSheet(const Triangles& triangles, Index numberOfVertices)
 {
   const GenusZeroReport report = checkGenusZero(triangles, numberOfVertices);
-  return report.manifold() && report.NumberOfComponents == 1 && report.InconsistentEdges.empty() &&
-    report.NumberOfBoundaryLoops == 1 && report.EulerNumber == 1 && report.IsolatedPoints.empty();
+  return report.isSheet() && report.InconsistentEdges.empty() && report.IsolatedPoints.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -80,12 +79,14 @@ SheetMapResult mapSheet(const Mesh& sheet, const Run& run)
   steps.next();
   if (!isSheet(sheet.Triangles, sheet.Positions.rows()))
   {
-    throw std::invalid_argument("the surface is not a sheet: connected, with one border, and "
-                                "without handles");
+    throw std::invalid_argument(
+      "the surface is not a sheet: connected, with a border, and without handles");
   }
   steps.next();
   const Mesh unit = { inUnitBox(sheet.Positions), sheet.Triangles };
-  const Mesh cut = withSplitChords(unit, borderVertices(sheet.Triangles, sheet.Positions.rows()));
+  const Mesh filled = withFilledHoles(unit);
+  const Mesh cut =
+    withSplitChords(filled, borderVertices(filled.Triangles, filled.Positions.rows()));
   const std::vector<char> border = borderVertices(cut.Triangles, cut.Positions.rows());
   HarmonicSphereMap map = mapSheetHarmonically(cut, border, steps.next());
   if (!map.OneToOne)

@@ -1,5 +1,5 @@
 /// Map sheets to the disk, conformally, by the Schottky double of \cite Ahlfors1960. A sheet is a
-/// connected surface with one border and without handles.
+/// connected surface with a border and without handles. Other, shorter borders are holes.
 
 #ifndef ConformalSheetMap_h
 #define ConformalSheetMap_h
@@ -11,12 +11,12 @@
 namespace conformal
 {
 /// Test whether the triangles are a sheet: connected, manifold, consistently oriented, with one
-/// border, and without handles.
+/// border or more, and without handles.
 bool isSheet(const Triangles& triangles, Index numberOfVertices);
 
 struct SheetMapResult
 {
-  /// #V by 3 unit vectors on the hemisphere z >= 0; z = 0 exactly on the border
+  /// #V by 3 unit vectors on the hemisphere z >= 0; z = 0 exactly on the longest border
   Points Positions;
   double Energy = 0.0;      ///< harmonic energy; 2 pi for a conformal map, larger for any other
   Index NumberOfSolves = 0; ///< number of attempts, each with equations
@@ -29,7 +29,8 @@ struct SheetMapResult
   Index NumberOfFlippedTriangles = 0;
 };
 
-/// Map a sheet conformally to the hemisphere z >= 0, with the border on the equator. The sheet
+/// Map a sheet conformally to the hemisphere z >= 0, with the longest border on the equator. Holes
+/// are filled while the map is computed, see withFilledHoles(). The sheet
 /// glued to its mirror image is a closed surface. Its conformal map to the sphere is symmetric, and
 /// maps the border to the equator. Only the half of the sheet is computed, see
 /// mapSheetHarmonically().

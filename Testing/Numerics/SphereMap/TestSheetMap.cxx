@@ -140,6 +140,21 @@ TEST(SheetMap, MapsSheetsWithChords)
   expectCircle(square, mapSheet(square));
 }
 
+// Without holes, the map is the same but for the missing triangles.
+TEST(SheetMap, FillsHoles)
+{
+  const Mesh whole = cap(16, 1.0);
+  Mesh holed = whole;
+  holed.Triangles = whole.Triangles.bottomRows(whole.Triangles.rows() - 54).eval(); // three rings
+  const Points kept = whole.Positions.bottomRows(whole.Positions.rows() - 19);
+  holed.Positions = kept;
+  holed.Triangles.array() -= 19;
+  const SheetMapResult map = mapSheet(holed);
+  EXPECT_EQ(map.NumberOfFlippedTriangles, 0);
+  const Points expected = mapSheet(whole).Positions.bottomRows(kept.rows());
+  EXPECT_LT((map.Positions - expected).rowwise().norm().maxCoeff(), 0.05);
+}
+
 TEST(SheetMap, ResemblesTheSheetFromItsFront)
 {
   const Mesh mesh = cap(8, 0.8);
@@ -154,8 +169,10 @@ TEST(SheetMap, RefusesOtherSurfaces)
   const Mesh sphere = conformal::makeGeodesicSphere(4);
   EXPECT_FALSE(conformal::isSheet(sphere.Triangles, sphere.Positions.rows()));
   EXPECT_THROW(mapSheet(sphere), std::invalid_argument);
-  Mesh two = sphere; // two holes
-  two.Triangles = sphere.Triangles.middleRows(1, sphere.Triangles.rows() - 2).eval();
+  Mesh two = sphere; // two pieces
+  two.Triangles.conservativeResize(2, 3);
+  two.Triangles << 0, 1, 2, 3, 4, 5;
+  two.Positions.conservativeResize(6, 3);
   EXPECT_THROW(mapSheet(two), std::invalid_argument);
   EXPECT_TRUE(conformal::isSheet(cap(2, 1.0).Triangles, cap(2, 1.0).Positions.rows()));
 }
