@@ -1,6 +1,9 @@
 #include "vtkBodyMap.h"
 
 #include "Base/Steps.h"
+#include "Body/BodyCoordinates.h"
+#include "Body/BodyRelief.h"
+#include "Body/Planetocentric.h"
 #include "Glue/Arrays.h"
 #include "Glue/Checks.h"
 #include "Glue/Meshes.h"
@@ -8,9 +11,6 @@
 #include "Glue/Run.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Sphere/SphereCoverage.h"
-#include "Body/BodyCoordinates.h"
-#include "Body/BodyRelief.h"
-#include "Body/Planetocentric.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

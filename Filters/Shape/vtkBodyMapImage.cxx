@@ -1,13 +1,13 @@
 #include "vtkBodyMapImage.h"
 
 #include "Base/Steps.h"
+#include "Body/MapImage.h"
+#include "Body/Planetocentric.h"
 #include "Glue/Arrays.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
 #include "Glue/SphereImages.h"
-#include "Body/MapImage.h"
-#include "Body/Planetocentric.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

@@ -1,10 +1,10 @@
 #include "vtkBodyMap.h"
 
 #include "../Cxx/MeshFixtures.h"
+#include "Body/BodyCoordinates.h"
 #include "FuzzFilter.h"
 #include "Properties.h"
 #include "Surfaces.h"
-#include "Body/BodyCoordinates.h"
 #include "vtkBodyMapImage.h"
 
 #include "vtkImageData.h"

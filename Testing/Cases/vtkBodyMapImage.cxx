@@ -1,8 +1,8 @@
 #include "vtkBodyMapImage.h"
 
+#include "Body/MapImage.h"
 #include "Properties.h"
 #include "Surfaces.h"
-#include "Body/MapImage.h"
 
 #include "vtkPolyData.h"
 

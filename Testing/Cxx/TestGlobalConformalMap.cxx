@@ -14,6 +14,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCleanPolyData.h"
 #include "vtkCubeSource.h"
 #include "vtkFloatArray.h"
 #include "vtkMath.h"
@@ -366,11 +367,48 @@ TEST_F(GlobalConformalMap, PointsWithoutTrianglesAreRefused)
   this->ExpectRefused(surface, "no triangles");
 }
 
-TEST_F(GlobalConformalMap, OpenSurfacesAreRefusedWithFigures)
+// The upper half of the pebble, and the same with a hole.
+TEST_F(GlobalConformalMap, SheetsAreMappedToTheDisk)
 {
-  const vtkNew<vtkPolyData> surface = Pebble();
-  fixtures::ChangePolygons(surface, [](vtkIdType i, vtkIdList*) { return i != 0 && i != 300; });
-  this->ExpectRefused(surface, "6 boundary edges in 2 loops (first: ");
+  for (const bool hasHole : { false, true })
+  {
+    const vtkNew<vtkPolyData> surface = Pebble(12);
+    fixtures::ChangePolygons(surface,
+      [&, first = true](vtkIdType, vtkIdList* ids) mutable
+      {
+        double p[3];
+        surface->GetPoint(ids->GetId(0), p);
+        const bool isHole = hasHole && first && p[2] > 0.8;
+        first = first && !isHole;
+        return p[2] > 0.1 && !isHole;
+      });
+    vtkNew<vtkCleanPolyData> used;
+    used->SetInputData(surface);
+    used->Update();
+    this->Seen.Clear();
+    vtkPolyData* output = this->Run(used->GetOutput());
+    this->Seen.ExpectWarning(hasHole ? "2 borders" : "");
+    vtkPointData* data = output->GetPointData();
+    vtkDataArray *sphere = data->GetArray("SpherePosition"), *disk = data->GetArray("DiskPosition");
+    ASSERT_TRUE(sphere && disk);
+    EXPECT_EQ(disk->GetNumberOfComponents(), 2);
+    vtkIdType onBorder = 0;
+    for (vtkIdType i = 0; i < sphere->GetNumberOfTuples(); ++i)
+    {
+      const double z = sphere->GetComponent(i, 2);
+      const double radius = std::hypot(disk->GetComponent(i, 0), disk->GetComponent(i, 1));
+      EXPECT_GE(z, 0.0);
+      onBorder += z == 0.0;
+      EXPECT_NEAR(radius, std::sqrt((1.0 - z) / (1.0 + z)), 1e-12); // stereographic projection
+    }
+    EXPECT_GT(onBorder, 20);
+    EXPECT_EQ(this->Figure("NumberOfFlippedTriangles"), 0);
+    EXPECT_NEAR(
+      output->GetFieldData()->GetArray("Energy")->GetTuple1(0), 2.0 * vtkMath::Pi(), 0.15);
+    this->Filter->SetAreaBalance(0.5);
+    this->ExpectRefused(used->GetOutput(), "AreaBalance 0");
+    this->Filter->SetAreaBalance(0.0);
+  }
 }
 
 TEST_F(GlobalConformalMap, AnotherGenusIsRefusedWithItsEulerNumber)

@@ -77,6 +77,10 @@ TEST(SurfaceFileWriter, EveryWriterSaysWhichInputIsMissing)
       const TemporaryFolder folder;
       contract::Observed observed(setUp.Writer);
       setUp.Writer->SetInputData(0, contract::RichSphere());
+      const vtkSmartPointer<vtkDataObject> before =
+        setUp.Writer->GetNumberOfInputConnections(port) > 0
+        ? setUp.Writer->GetInputDataObject(port, 0)
+        : nullptr;
       setUp.Writer->SetInputConnection(port, nullptr);
       setUp.Writer->SetFileName(folder.file("a" + setUp.Endings.back()).c_str());
       if (isOptional)
@@ -89,6 +93,7 @@ TEST(SurfaceFileWriter, EveryWriterSaysWhichInputIsMissing)
       EXPECT_EQ(setUp.Writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
       observed.ExpectError("input port " + std::to_string(port) + " has no data");
       EXPECT_EQ(folder.numberOfFiles(), 0u);
+      setUp.Writer->SetInputDataObject(port, before);
     }
   }
 }

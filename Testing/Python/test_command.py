@@ -240,7 +240,7 @@ class TestCommand(unittest.TestCase):
         for message, *arguments in (
                 ("SCAN", "-o", "x.glb"),
                 ("there is nothing to do", "my scan.vtp"),
-                ("x.doc: expected a file of type .gii .glb", "my scan.vtp", "-o", "x.doc"),
+                ("x.doc: expected a file of type .3mf .gii .glb", "my scan.vtp", "-o", "x.doc"),
                 ("x.gif: expected a file of type .jpg .png", "my scan.vtp", "--picture", "x.gif"),
                 ("11 is not in [12, 10000002]", "my scan.vtp", "-o", "x.glb", "--neurons", "11"),
                 ("invalid choice: 'square'", "my scan.vtp", "-o", "x.glb", "--mesh-type", "square"),

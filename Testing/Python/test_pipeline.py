@@ -8,7 +8,8 @@ import unittest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkClipPolyData, vtkFeatureEdges, vtkPolyDataConnectivityFilter
 import numpy as np
 
 import conformalsom
@@ -74,6 +75,9 @@ def chain(frequency=18, surface_frequency=40):
     hull_piece.Update()
     conformal = vtkGlobalConformalMap()
     conformal.SetInputConnection(network.GetOutputPort())
+    sheet = vtkGlobalConformalMap()
+    sheet.SetInputData(half_of(network.GetOutput()))
+    sheet.Update()
     alignment = vtkSphericalAlignment()
     alignment.SetInputConnection(0, conformal.GetOutputPort())
     alignment.SetInputConnection(1, network.GetOutputPort())
@@ -87,9 +91,27 @@ def chain(frequency=18, surface_frequency=40):
     to_mesh.Update()
     return {**by_name, "vtkSphericalTextureMap with SplitSeam": split,
             "vtkSphericalTextureMap with AreaBalance": balanced,
+            "vtkGlobalConformalMap with a border": sheet,
             "vtkSurfaceMismatch with a reference mesh": to_mesh,
             "vtkConformalSOM with DistributeOutput": network_piece,
             "vtkGenusZeroHull with DistributeOutput": hull_piece}
+
+
+def half_of(surface):
+    """The part of a surface above the middle."""
+    plane = vtkPlane()
+    plane.SetOrigin(surface.GetCenter())
+    plane.SetNormal(0, 0, 1)
+    clip = vtkClipPolyData()
+    clip.SetInputData(surface)
+    clip.SetClipFunction(plane)
+    largest = vtkPolyDataConnectivityFilter()
+    largest.SetInputConnection(clip.GetOutputPort())
+    largest.SetExtractionModeToLargestRegion()
+    used = vtkCleanPolyData()
+    used.SetInputConnection(largest.GetOutputPort())
+    used.Update()
+    return used.GetOutput()
 
 
 def beside_the_chain(stages):

@@ -7,8 +7,8 @@
 #define ConformalMapImage_h
 
 #include "Base/Run.h"
-#include "Mesh/Mesh.h"
 #include "Body/MapProjection.h"
+#include "Mesh/Mesh.h"
 #include "Texture/PixelGrid.h"
 #include "Texture/SphericalTextureImage.h"
 

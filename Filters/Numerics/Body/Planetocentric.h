@@ -5,9 +5,9 @@
 #define ConformalPlanetocentric_h
 
 #include "Base/Run.h"
-#include "Mesh/Mesh.h"
 #include "Body/BodyCoordinates.h"
 #include "Body/MapImage.h"
+#include "Mesh/Mesh.h"
 
 namespace conformal
 {

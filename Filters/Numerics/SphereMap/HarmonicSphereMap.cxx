@@ -3,11 +3,11 @@
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
-#include "Mesh/Sheet.h"
 #include "Sphere/MoebiusTransform.h"
 #include "SphereMap/BoundedTriangles.h"
 #include "SphereMap/FlipRepair.h"
 #include "SphereMap/PuncturedSphereMap.h"
+#include "SphereMap/Sheet.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "Base/UnitBox.h"
 #include "Linear/EdgeWeights.h"
 #include "Mesh/GenusZeroCheck.h"
-#include "Mesh/Sheet.h"
 #include "SphereMap/HarmonicSphereMap.h"
+#include "SphereMap/Sheet.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 /// Compute normal maps as in \cite Cohen1998 for a surface of few triangles. A normal map is an
-/// image with the normals of a detailed surface. The normals are relative to the tangents of the surface that is
-/// drawn, as in \cite Mikkelsen2008.
+/// image with the normals of a detailed surface. The normals are relative to the tangents of the
+/// surface that is drawn, as in \cite Mikkelsen2008.
 
 #ifndef ConformalNormalMap_h
 #define ConformalNormalMap_h

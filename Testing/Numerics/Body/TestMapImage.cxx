@@ -1,8 +1,8 @@
 #include "Body/MapImage.h"
 
+#include "Body/BodyCoordinates.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
-#include "Body/BodyCoordinates.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "SphereMap/SheetMap.h"
 
 #include "Mesh/GeodesicSphere.h"
-#include "Mesh/Sheet.h"
 #include "Runs.h"
+#include "SphereMap/Sheet.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 /// Describe sheets: connected surfaces with a border and without handles. Fill their holes. Glue a
-/// sheet to its mirror image, which gives a closed surface, the Schottky double of \cite
-/// Ahlfors1960.
+/// sheet to its mirror image. The closed surface is the Schottky double, \cite Ahlfors1960.
 
 #ifndef ConformalSheet_h
 #define ConformalSheet_h

@@ -1,4 +1,4 @@
-#include "Mesh/Sheet.h"
+#include "SphereMap/Sheet.h"
 
 #include "Mesh/GenusZeroCheck.h"
 
