@@ -43,7 +43,7 @@ std::string LabelOf(const std::string& name)
 {
   for (const char* extension : { ".lbl", ".LBL", ".xml", ".XML" })
   {
-    const std::string label = name.substr(0, ExtensionOf(name)) + extension;
+    std::string label = name.substr(0, ExtensionOf(name)) + extension;
     conformal::ByteReader input;
     if (label != name && conformal::openFile(label, input).ok())
     {
