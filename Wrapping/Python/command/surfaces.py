@@ -195,10 +195,8 @@ def make_surface(task, texture, options, steps):
         mesh = report.measured(steps, "mesh", network, scan)
         result = report.measured(steps, "surface", painted, scan)
 
-    cut = result
+    cut, made_anew = result, []
     if texture is not None or all_around:
-        made_anew = []
-
         def cut_anew(number):
             made_anew.append(smooth_surface(network, number, steps))
             return cut_surface(made_anew[-1], options, steps, all_around)
@@ -216,6 +214,9 @@ def make_surface(task, texture, options, steps):
     drawn = Drawn(result, cut, texture, meters)
     if options.normal_map:
         drawn.normal_map = details.normal_map(cut, smooth_surface(network, None, steps), steps)
+    if made_anew and options.levels > 1:  # whose picture the levels share
+        painted = texture_map(made_anew[-1], options, all_around)
+        steps.run("Lay the texture", painted)
     for number in details.numbers_of_points(options):
         def level(count):
             surface = details.with_picture_of(painted, smooth_surface(network, count, steps), steps)
