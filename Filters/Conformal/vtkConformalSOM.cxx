@@ -61,6 +61,8 @@ conformal::ConformalSOMOptions OptionsOf(
   options.Online.LearningRateTimeConstant = constants[3];
   options.Fit.Iterations = self->GetFitIterations();
   options.Fit.Smoothness = self->GetSmoothness();
+  options.Opening.Border = static_cast<conformal::Border>(self->GetBorder());
+  options.Opening.HoleSize = self->GetHoleSize();
   if (self->GetGenerateStages())
   {
     options.Observer = [&](const conformal::LearningStage& stage) { stages.push_back(stage); };
@@ -304,6 +306,31 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   WarnAbout(self, conformal::withoutLeftOut(result.Quality, result.NumberOfSamplesOutside, size));
 }
 
+// Warn of parts of the object that the border leaves out.
+void WarnOfBorder(
+  vtkConformalSOM* self, const conformal::BorderReport& result, conformal::Border border)
+{
+  constexpr double muchDropped = 0.001;
+  if (result.BorderFailed)
+  {
+    vtkWarningWithObjectMacro(self, << "the points have no border that can be followed; the "
+                                       "surface stays closed. See array Supported");
+  }
+  if (result.NumberOfBorders > 0 && border == conformal::Border::Automatic)
+  {
+    vtkWarningWithObjectMacro(self, << "the surface has a border where the points end; "
+                                    << 100.0 * result.OpenFraction
+                                    << " % of the closed surface has no points nearby and is left "
+                                       "out. To close the surface, set Border to CLOSED");
+  }
+  if (result.DroppedFraction > muchDropped)
+  {
+    vtkWarningWithObjectMacro(self, << "the points lie on several sheets; the largest is kept, and "
+                                    << 100.0 * result.DroppedFraction
+                                    << " % of the closed surface is left out with the others");
+  }
+}
+
 void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   const conformal::ConformalSOMResult& result, double vertexShift,
   const conformal::CoordinateFrame& frame)
@@ -311,6 +338,8 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   using glue::AddNumber;
   AddNumber(data, "AffineRank", static_cast<long long>(samples.dimension()));
   AddNumber(data, "UnsupportedFraction", result.UnsupportedFraction);
+  AddNumber(data, "NumberOfBorders", static_cast<long long>(result.NumberOfBorders));
+  AddNumber(data, "OpenFraction", result.OpenFraction);
   AddNumber(data, "UncoveredFraction", result.Quality.UncoveredFraction);
   AddNumber(data, "InvertedFraction", result.Quality.InvertedFraction);
   AddNumber(data, "FoldedFraction", result.Quality.FoldedFraction);
@@ -339,6 +368,7 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
   if (processes.isFirst())
   {
     WarnAbout(self, result, samples);
+    WarnOfBorder(self, result, options.Opening.Border);
   }
   return result;
 }
@@ -455,7 +485,7 @@ int vtkConformalSOM::RequestData(
   const auto start = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   std::vector<conformal::LearningStage> stages;
-  const conformal::ConformalSOMOptions options = OptionsOf(this, stages);
+  conformal::ConformalSOMOptions options = OptionsOf(this, stages);
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
   const bool inPieces = this->DistributeOutput;
   return glue::RunCore(this, this->Controller,
@@ -466,6 +496,7 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       glue::CloudInput cloud;
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
+      options.Opening.HoleSize /= cloud.Frame.Unit;
       conformal::Steps steps(processes.run(), { 0.01, 0.01, 0.02, 0.9, 0.02, 0.02, 0.01 });
       conformal::TrainingSamples samples(
         cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
@@ -516,6 +547,9 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "StartingShape: " << shapes[this->StartingShape] << "\n";
   os << indent << "HullMethod: " << methods[this->HullMethod] << "\n";
+  static const char* const borders[] = { "Automatic", "Closed", "Open" };
+  os << indent << "Border: " << borders[this->Border] << "\n";
+  os << indent << "HoleSize: " << this->HoleSize << "\n";
   os << indent << "GenerateStages: " << (this->GenerateStages ? "On" : "Off") << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

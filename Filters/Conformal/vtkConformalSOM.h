@@ -20,20 +20,22 @@
  * coordinate of this mesh, relative to that center, may exceed 4 R in magnitude. If all input
  * points lie in a plane, this mesh is used only if MeshType is ADAPTIVE.
  *
- * Output port 0: vtkPolyData, a closed triangle mesh through the points, in the coordinates of the
- * input, double precision. The points of the mesh are the neurons of the self-organizing map. An
- * adaptive mesh (triangles of equal size) has N points and 2 N - 4 triangles, where N is
- * NumberOfNeurons. A geodesic mesh (triangles of a subdivided icosahedron) has 10 f^2 + 2 points
- * and 20 f^2 triangles. The integer f is chosen so that the number of points is nearest to
- * NumberOfNeurons.
+ * Output port 0: vtkPolyData, a triangle mesh through the points, in the coordinates of the input,
+ * double precision. The mesh is closed, or ends where the points end, see Border. The points of the
+ * mesh are the neurons of the self-organizing map. An adaptive mesh (triangles of equal size) has N
+ * points and 2 N - 4 triangles, where N is NumberOfNeurons. A geodesic mesh (triangles of a
+ * subdivided icosahedron) has 10 f^2 + 2 points and 20 f^2 triangles. The integer f is chosen so
+ * that the number of points is nearest to NumberOfNeurons.
  * - point array "SpherePosition" (double, 3 components): position of each point on the unit sphere.
  *   For a geodesic mesh, it is the vector n_i of the paper: the fixed position of neuron i on the
  *   geodesic sphere. For an adaptive mesh, it is the image of the point under a conformal map.
  *   vtkGlobalConformalMap computes other maps. For example, its property AreaBalance gives more
- *   area to limbs, the long, thin parts of the object.
- * - point array "Supported" (double, 1 component): 1 where the input has points nearby, decreasing
- *   to 0 over holes in the data. The filter vtkCurvedSeamlessSurface interpolates this array for
- *   its output.
+ *   area to limbs, the long, thin parts of the object. If the mesh has a border, the map covers
+ *   the hemisphere z >= 0, with the longest border at z = 0, see vtkGlobalConformalMap.
+ * - point array "Supported" (double, 1 component): 1 if a point of the input is nearby, on the same
+ *   side of the mesh, and 0 if all points are far. Let s be the spacing of the points near the
+ *   vertex. The value is 1 up to a distance of about 2.2 s, 0.5 at 2.8 s, and 0 beyond 3.3 s. The
+ *   filter vtkCurvedSeamlessSurface interpolates this array for its output.
  * - point array "StandardError" (double, 1 component): standard error of the vertex along the
  *   normal, in the unit of the coordinates. It is large where points are few or noisy, or where the
  *   object is rough. Only an adaptive mesh learned with TrainingMode BATCH has this array.
@@ -46,6 +48,10 @@
  * - field data "UnsupportedFraction" (1 value): fraction of the mesh's area without input points
  *   nearby. This area consists of hole fillings, and of webs (spurious membranes) between limbs. If
  *   TrainingMode is ONLINE, the value is 0.
+ * - field data "NumberOfBorders" (1 value): number of borders of the mesh; 0 if the mesh is closed,
+ *   see the property Border.
+ * - field data "OpenFraction" (1 value): fraction of the area of the closed mesh that was removed
+ *   beyond the borders; 0 if the mesh is closed.
  * - field data "UncoveredFraction" (1 value): fraction of the input points that are far from the
  *   mesh. Each point is weighted by the surface area that it represents. Outliers, which are far
  *   from all other points, are not counted.
@@ -181,6 +187,13 @@ public:
     AUTOMATIC_METHOD = 0,
     DISTANCE = 1,
     WINDING_NUMBERS = 2
+  };
+
+  enum Borders
+  {
+    AUTOMATIC_BORDER = 0,
+    CLOSED = 1,
+    OPEN = 2
   };
 
   enum ReferencePoints
@@ -406,6 +419,37 @@ public:
 
   ///@{
   /**
+   * Whether the mesh has a border. CLOSED: the mesh is closed; parts without points are filled.
+   * OPEN: the mesh is a sheet, which ends where the points end, with a smooth border. The largest
+   * part without points is left open. For other parts, see HoleSize. AUTOMATIC_BORDER (default):
+   * OPEN, with a warning, if the largest part without points has more than 22 % of the area of the
+   * closed mesh, as in a scan from one side. Otherwise CLOSED.
+   *
+   * OPEN needs an adaptive mesh, see MeshType. A closed mesh is learned first. It is then cut along
+   * border curves: smoothing splines that are fitted to the outermost points. If the sheet consists
+   * of several parts, the largest is kept, with a warning. If the polygons of the input form a
+   * closed surface from which learning starts, the mesh is CLOSED with AUTOMATIC_BORDER and OPEN.
+   */
+  vtkSetClampMacro(Border, int, AUTOMATIC_BORDER, OPEN);
+  vtkGetMacro(Border, int);
+  void SetBorderToAutomatic() { this->SetBorder(AUTOMATIC_BORDER); }
+  void SetBorderToClosed() { this->SetBorder(CLOSED); }
+  void SetBorderToOpen() { this->SetBorder(OPEN); }
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the largest holes that are filled if the mesh has a border, in the unit of the
+   * coordinates. Parts without points that reach farther from their center are left open. At least
+   * 0. With 0 (default), parts with less than a tenth of the area of the largest part are filled.
+   * If the mesh is closed, all parts are filled.
+   */
+  vtkSetMacro(HoleSize, double);
+  vtkGetMacro(HoleSize, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether output port 2 has the intermediate surfaces of learning: the start, each level or turn,
    * the fit, and the result. A level is one network of the sequence of batch learning. A turn is
    * one fit, followed by a remeshing. Each surface has field data about its quality. Use these
@@ -467,6 +511,8 @@ private:
   double Smoothness = 1.0;
   int StartingShape = AUTOMATIC;
   int HullMethod = AUTOMATIC_METHOD;
+  int Border = AUTOMATIC_BORDER;
+  double HoleSize = 0.0;
   bool GenerateStages = false;
   vtkMultiProcessController* Controller = nullptr;
   bool DistributeOutput = false;

@@ -230,8 +230,9 @@ void vtkCurvedSeamlessMap::GetNormalJumps(double jumps[2])
   jumps[0] = jumps[1] = 0.0;
   if (this->Map && this->Map->Surface.differentiable())
   {
-    const conformal::NormalJumps measured = conformal::measureNormalJumps(
-      this->Map->Surface.curvedTriangles(), this->Map->Surface.neighbors(), glue::SMPRun());
+    const conformal::NormalJumps measured =
+      conformal::measureNormalJumps(this->Map->Surface.curvedTriangles(),
+        this->Map->Surface.neighborsWithoutCaps(), glue::SMPRun());
     jumps[0] = measured.Mean;
     jumps[1] = measured.Maximum;
   }

@@ -28,6 +28,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,13 @@ double PointsOfFrequency(int frequency)
 int SubdivisionsOf(const conformal::CurvedSeamlessSurface& surface, int sampling, bool hasSphere,
   int subdivisions, int frequency)
 {
+  const bool needsDirections = sampling == vtkCurvedSeamlessSurface::DIRECTIONS ||
+    (sampling == vtkCurvedSeamlessSurface::AUTOMATIC && hasSphere);
+  if (surface.isSheet() && needsDirections)
+  {
+    throw std::invalid_argument("a surface with a border is sampled on its triangles only; set "
+                                "Sampling to NETWORK and remove the sphere on input port 1");
+  }
   if (sampling == vtkCurvedSeamlessSurface::DIRECTIONS ||
     (sampling == vtkCurvedSeamlessSurface::AUTOMATIC &&
       (hasSphere || conformal::isGeodesicSphere(surface.sphere(), surface.triangles()))))
@@ -54,7 +62,7 @@ int SubdivisionsOf(const conformal::CurvedSeamlessSurface& surface, int sampling
   }
   return subdivisions > 0
     ? subdivisions
-    : conformal::subdivisionsFor(surface.sphere().rows(), PointsOfFrequency(frequency));
+    : conformal::subdivisionsFor(surface.numberOfVertices(), PointsOfFrequency(frequency));
 }
 
 // Return the mesh of the directions in which the surface is sampled: the subdivided network, the
@@ -197,7 +205,7 @@ void AddSupport(vtkPolyData* result, const Samples& samples, vtkPolyData* mesh,
   constexpr const char* name = "Supported";
   vtkDataArray* array = isOwner ? mesh->GetPointData()->GetArray(name) : nullptr;
   const bool hasSupport = array && array->GetNumberOfComponents() == 1 &&
-    array->GetNumberOfTuples() == network.sphere().rows();
+    array->GetNumberOfTuples() == network.numberOfVertices();
   if (processes.firstWith(hasSupport) >= 0)
   {
     std::vector<double> copy;

@@ -263,7 +263,7 @@ int vtkSphericalTextureMap::RequestData(
 void vtkSphericalTextureMap::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const projections[] = { "Stereographic", "LongitudeLatitude", "Octahedral",
-    "CubeMap" };
+    "CubeMap", "Disk", "Square" };
   static const char* const wraps[] = { "Clamp", "Repeat", "Mirror" };
   this->Superclass::PrintSelf(os, indent);
   const auto vector = [&](const char* name, const double* v, int size)

@@ -113,7 +113,9 @@ public:
     STEREOGRAPHIC = 0,
     LONGITUDE_LATITUDE = 1,
     OCTAHEDRAL = 2,
-    CUBE_MAP = 3
+    CUBE_MAP = 3,
+    DISK = 4,
+    SQUARE = 5
   };
 
   ///@{
@@ -122,13 +124,20 @@ public:
    * picture from one side. LONGITUDE_LATITUDE (images of 2 : 1), OCTAHEDRAL (1 : 1) and CUBE_MAP (3
    * : 2) show the whole sphere. These three projections have seams, at which the image is
    * discontinuous. SplitSeam cuts the surface along the seams.
+   *
+   * DISK and SQUARE (1 : 1) show the hemisphere z >= 0, to which vtkGlobalConformalMap and
+   * vtkConformalSOM map surfaces with a border. The border of the surface is the circle inscribed
+   * in the image, or the border of the image. Both projections are conformal, except for SQUARE at
+   * the four corners. They do not use ViewDirection, ViewUp, ViewPoint and Rotation.
    */
-  vtkSetClampMacro(Projection, int, STEREOGRAPHIC, CUBE_MAP);
+  vtkSetClampMacro(Projection, int, STEREOGRAPHIC, SQUARE);
   vtkGetMacro(Projection, int);
   void SetProjectionToStereographic() { this->SetProjection(STEREOGRAPHIC); }
   void SetProjectionToLongitudeLatitude() { this->SetProjection(LONGITUDE_LATITUDE); }
   void SetProjectionToOctahedral() { this->SetProjection(OCTAHEDRAL); }
   void SetProjectionToCubeMap() { this->SetProjection(CUBE_MAP); }
+  void SetProjectionToDisk() { this->SetProjection(DISK); }
+  void SetProjectionToSquare() { this->SetProjection(SQUARE); }
   ///@}
 
   ///@{

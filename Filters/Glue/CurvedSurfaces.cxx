@@ -9,6 +9,7 @@
 #include "Glue/Processes.h"
 #include "Mesh/EvenTriangles.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Sphere/SheetCaps.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -72,7 +73,7 @@ conformal::Points MapOf(vtkPolyData* surface, const std::vector<vtkIdType>& poin
 }
 
 // Mesh and options from which a curved seamless surface is built.
-struct Model : conformal::MappedMesh
+struct Model : conformal::CappedSheet
 {
   conformal::CurvedSeamlessSurfaceOptions Options;
 };
@@ -89,18 +90,32 @@ Model ModelOf(const glue::CurvedSeamlessProperties& properties, vtkObject* self,
     isAlone || processes.firstWith(surface->GetNumberOfPoints() > 0) == processes.rank();
   if (tells)
   {
-    auto mesh = glue::ToClosedMesh(self, surface, frame, run);
+    auto mesh = glue::ToClosedMesh(self, surface, frame, run, glue::Topology::ClosedOrSheet);
     model.Options.VertexShift = VertexShiftOf(properties, self, surface, mesh);
     model.SpherePositions = MapOf(surface, mesh.PointIds);
     model.Positions = std::move(mesh.Positions);
     model.Triangles = std::move(mesh.Triangles);
+    if (mesh.NumberOfBorders > 0)
+    {
+      static_cast<conformal::CappedSheet&>(model) = conformal::withCaps(model);
+    }
   }
   if (!isAlone)
   {
     static_cast<conformal::MappedMesh&>(model) = glue::GatherMesh(processes.reduce(), model);
-    const std::vector<double> own(tells ? 1 : 0, model.Options.VertexShift);
-    const std::vector<double> shift = conformal::gather(processes.reduce(), own);
-    model.Options.VertexShift = shift.empty() ? 0.0 : shift.front();
+    std::vector<double> own;
+    if (tells)
+    {
+      own = { model.Options.VertexShift, static_cast<double>(model.NumberOfCapVertices),
+        static_cast<double>(model.NumberOfCapTriangles) };
+    }
+    const std::vector<double> all = conformal::gather(processes.reduce(), own);
+    if (!all.empty())
+    {
+      model.Options.VertexShift = all[0];
+      model.NumberOfCapVertices = static_cast<conformal::Index>(all[1]);
+      model.NumberOfCapTriangles = static_cast<conformal::Index>(all[2]);
+    }
   }
   return model;
 }

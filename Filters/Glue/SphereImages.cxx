@@ -97,7 +97,7 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
   image.View.Right = conformal::Vector3(NumbersOf(data, "SphereRight", 3));
   CheckAxes(image.View);
   const double projection = NumberIn(
-    data, "TextureProjection", 0.0, static_cast<double>(conformal::SphereProjection::CubeMap));
+    data, "TextureProjection", 0.0, static_cast<double>(conformal::SphereProjection::Square));
   if (projection != std::floor(projection))
   {
     throw std::invalid_argument("the field data TextureProjection must be a whole number");

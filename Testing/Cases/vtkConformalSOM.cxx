@@ -42,7 +42,8 @@ std::vector<Mode> Modes()
     Name("PriorityArrayName", &F::SetPriorityArrayName), Integer("RandomSeed", &F::SetRandomSeed),
     Integer("FitIterations", &F::SetFitIterations), Number("Smoothness", &F::SetSmoothness),
     Integer("StartingShape", &F::SetStartingShape), Integer("HullMethod", &F::SetHullMethod),
-    Integer("MeshType", &F::SetMeshType), Switch("GenerateStages", &F::SetGenerateStages),
+    Integer("MeshType", &F::SetMeshType), Integer("Border", &F::SetBorder),
+    Switch("GenerateStages", &F::SetGenerateStages),
     Switch("DistributeOutput", &F::SetDistributeOutput),
     Vector4("OnlineConstants", &F::SetOnlineConstants, { 0.4, 20.0, 0.01, 60.0 }) };
   Mode adaptive = QuickMode("Adaptive", one,
@@ -51,7 +52,17 @@ std::vector<Mode> Modes()
       f->SetMeshTypeToAdaptive();
       f->SetNumberOfNeurons(200);
     });
-  adaptive.Properties = { Integer("NumberOfNeurons", &F::SetNumberOfNeurons) };
+  adaptive.Properties = { Integer("NumberOfNeurons", &F::SetNumberOfNeurons),
+    Integer("Border", &F::SetBorder) };
+  Mode open = QuickMode("Open", variant,
+    [](F* f)
+    {
+      f->SetMeshTypeToAdaptive();
+      f->SetNumberOfNeurons(200);
+      f->SetBorderToOpen();
+    });
+  open.Properties = { Number("HoleSize", &F::SetHoleSize) };
+  open.IsClosed = false;
   Mode online = QuickMode("Online", one, [](F* f) { f->SetTrainingModeToOnline(); });
   online.Properties = { Integer("ReferencePoint", &F::SetReferencePoint),
     Integer("NumberOfEpochs", &F::SetNumberOfEpochs),
@@ -64,7 +75,7 @@ std::vector<Mode> Modes()
   Mode onlineFromMesh = QuickMode(
     "Online, from a mesh", { Good(), Good() }, [](F* f) { f->SetTrainingModeToOnline(); });
   onlineFromMesh.MixesUnits = true;
-  return { batch, adaptive, online, fromMesh, onlineFromMesh,
+  return { batch, adaptive, open, online, fromMesh, onlineFromMesh,
     QuickMode("Online, Winner", variant,
       [](F* f)
       {
@@ -169,6 +180,7 @@ void Fuzz(fuzz::FilterSource& source)
   {
     learner->SetMeshTypeToAdaptive();
     learner->SetNumberOfNeurons(12 + source.below(60));
+    learner->SetBorder(source.below(3));
   }
   learner->SetInputDataObject(0, source.surface());
   if (odd & 128)
@@ -186,6 +198,7 @@ std::vector<Mirror> Mirrors()
   vtkNew<vtkConformalSOM> few, many;
   few->SetNumberOfNeurons(-1);
   many->SetNumberOfNeurons(VTK_INT_MAX);
+  using conformal::Border;
   using conformal::HullMethod;
   using conformal::MeshType;
   using conformal::ReferencePoint;
@@ -212,6 +225,12 @@ std::vector<Mirror> Mirrors()
     Same("Smoothness", filter->GetSmoothness(), options.Fit.Smoothness),
     Same("StartingShape", filter->GetStartingShape(), static_cast<int>(options.StartingShape)),
     Same("HullMethod", filter->GetHullMethod(), static_cast<int>(options.HullMethod)),
+    Same("Border", filter->GetBorder(), static_cast<int>(options.Opening.Border)),
+    Same("HoleSize", filter->GetHoleSize(), options.Opening.HoleSize),
+    Same(
+      "AUTOMATIC_BORDER", vtkConformalSOM::AUTOMATIC_BORDER, static_cast<int>(Border::Automatic)),
+    Same("CLOSED", vtkConformalSOM::CLOSED, static_cast<int>(Border::Closed)),
+    Same("OPEN", vtkConformalSOM::OPEN, static_cast<int>(Border::Open)),
     Same("AUTOMATIC_MESH", vtkConformalSOM::AUTOMATIC_MESH, static_cast<int>(MeshType::Automatic)),
     Same("GEODESIC", vtkConformalSOM::GEODESIC, static_cast<int>(MeshType::Geodesic)),
     Same("ADAPTIVE", vtkConformalSOM::ADAPTIVE, static_cast<int>(MeshType::Adaptive)),

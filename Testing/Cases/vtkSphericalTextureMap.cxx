@@ -177,6 +177,8 @@ std::vector<Mirror> Mirrors()
       static_cast<int>(SphereProjection::LongitudeLatitude)),
     Same("OCTAHEDRAL", Filter::OCTAHEDRAL, static_cast<int>(SphereProjection::Octahedral)),
     Same("CUBE_MAP", Filter::CUBE_MAP, static_cast<int>(SphereProjection::CubeMap)),
+    Same("DISK", Filter::DISK, static_cast<int>(SphereProjection::Disk)),
+    Same("SQUARE", Filter::SQUARE, static_cast<int>(SphereProjection::Square)),
     Same("CLAMP", Filter::CLAMP, static_cast<int>(conformal::TextureWrap::Clamp)),
     Same("REPEAT", Filter::REPEAT, static_cast<int>(conformal::TextureWrap::Repeat)),
     Same("MIRROR", Filter::MIRROR, static_cast<int>(conformal::TextureWrap::Mirror)),
@@ -219,7 +221,7 @@ Case SphericalTextureMap()
         map->UseViewPointOn();
         map->SetViewPoint(11.0, 0.0, 0.0);
       }) };
-  for (int projection = F::STEREOGRAPHIC; projection <= F::CUBE_MAP; ++projection)
+  for (int projection = F::STEREOGRAPHIC; projection <= F::SQUARE; ++projection)
   {
     all.Progress.push_back(Run<F>("SplitSeam " + std::to_string(projection), fine,
       [=](F* map)

@@ -754,11 +754,17 @@ TEST_F(CurvedSeamlessSurface, StopsWhenAskedWithoutAWord)
 //------------------------------------------------------------------------------
 // What happens on bad input.
 
-TEST_F(CurvedSeamlessSurface, OpenSurfacesAreRefused)
+TEST_F(CurvedSeamlessSurface, OpenSurfacesKeepTheirBorder)
 {
   const vtkNew<vtkPolyData> open = Ellipsoid();
   fixtures::ChangePolygons(open, [](vtkIdType i, vtkIdList*) { return i != 17; });
-  this->ExpectRefused(open, "boundary");
+  this->Filter->SetInputData(open);
+  this->Filter->SetSamplingToNetwork();
+  this->Filter->SetSubdivisions(3);
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPolys(), 9 * open->GetNumberOfPolys());
+  this->Filter->SetSamplingToDirections();
+  this->ExpectRefused(open, "border");
 }
 
 TEST_F(CurvedSeamlessSurface, SurfacesWithAHandleAreRefused)

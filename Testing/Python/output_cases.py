@@ -582,7 +582,7 @@ CASES = {
         needs={"UseViewPoint=1": properties_of(ViewPoint=(0.2, 0.1, 3.0))},
         others={f"Projection={projection},SplitSeam=1": several(
             call("SetProjectionTo" + projection), call("SplitSeamOn"), properties_of(Margin=0.05, Rotation=20.0))
-            for projection in ("LongitudeLatitude", "Octahedral", "CubeMap")}),
+            for projection in ("LongitudeLatitude", "Octahedral", "CubeMap", "Disk", "Square")}),
     "vtkSurfaceHarmonics": Filter(
         inputs(mapped), inputs(mapped, Degree=6, Frequency=6),
         others={"arrays": several(call("AddPointArray", "Height"), call("AddPointArray", "Flow")),

@@ -1,7 +1,8 @@
 #include "Body/MapProjection.h"
 
+#include "Texture/Lemniscate.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 
@@ -13,7 +14,6 @@ using Complex = std::complex<double>;
 
 const double Sqrt2 = std::sqrt(2.0);
 constexpr double Degree = Pi / 180.0;
-constexpr double Lemniscate = 2.62205755429211981; // half the period of the lemniscate sine
 
 // Rotate the sphere so that the central longitude is at 0.
 Vector3 turned(const Vector3& n, double degrees)
@@ -109,81 +109,11 @@ bool fromLambert(const Vector2& place, Vector3& n)
   return true;
 }
 
-// Compute Carlson's integral of the first kind for z = 1, by duplication.
-Complex carlsonRF(Complex x, Complex y)
-{
-  Complex z = 1.0, mean, dx, dy, dz;
-  constexpr int maximum = 30;
-  for (int i = 0; i < maximum; ++i)
-  {
-    mean = (x + y + z) / 3.0;
-    dx = 1.0 - x / mean;
-    dy = 1.0 - y / mean;
-    dz = 1.0 - z / mean;
-    constexpr double near = 1e-3; // the series below has order seven
-    if (std::max({ std::abs(dx), std::abs(dy), std::abs(dz) }) < near)
-    {
-      break;
-    }
-    const Complex a = std::sqrt(x), b = std::sqrt(y), c = std::sqrt(z);
-    const Complex sum = a * b + b * c + c * a;
-    x = 0.25 * (x + sum);
-    y = 0.25 * (y + sum);
-    z = 0.25 * (z + sum);
-  }
-  const Complex second = dx * dy - dz * dz, third = dx * dy * dz;
-  return (1.0 - second / 10.0 + third / 14.0 + second * second / 24.0 -
-           3.0 * second * third / 44.0) /
-    std::sqrt(mean);
-}
-
-// Compute the integral of 1 / sqrt(1 - t^4) to a point of the unit disk, the inverse of the
-// lemniscate sine.
-Complex lemniscateArcsine(const Complex& s)
-{
-  return s * carlsonRF(1.0 - s * s, 1.0 + s * s);
-}
-
-// Coefficients c of sl z = sum of c[k] z^(4 k + 1), from sl'' = -2 sl^3.
-std::array<double, 10> seriesOfSine()
-{
-  std::array<double, 10> c = { 1.0 };
-  for (std::size_t k = 1; k < c.size(); ++k)
-  {
-    double cube = 0.0; // coefficient of the cube of the lower powers
-    for (std::size_t a = 0; a < k; ++a)
-    {
-      for (std::size_t b = 0; a + b < k; ++b)
-      {
-        cube += c[a] * c[b] * c[k - 1 - a - b];
-      }
-    }
-    const auto n = static_cast<double>(k);
-    c[k] = -2.0 * cube / (4.0 * n * (4.0 * n + 1.0));
-  }
-  return c;
-}
-
-// Compute the lemniscate sine of a position in the diamond. Ten terms of the series suffice at half
-// the position; then apply the formula for the double argument.
-Complex lemniscateSine(const Complex& z)
-{
-  static const std::array<double, 10> series = seriesOfSine();
-  const Complex half = 0.5 * z, square = half * half, fourth = square * square;
-  Complex sum = 0.0;
-  for (std::size_t k = series.size(); k-- > 0;)
-  {
-    sum = sum * fourth + series[k];
-  }
-  const Complex s = half * sum, power = s * s * s * s;
-  return 2.0 * s * std::sqrt(1.0 - power) / (1.0 + power);
-}
-
 // Reflect a position at the nearest side of the diamond: from the northern hemisphere to the
 // southern, or back.
 Complex mirrored(const Complex& z)
 {
-  const double half = 0.5 * Lemniscate;
+  const double half = HalfLemniscate;
   return { std::copysign(half - std::abs(z.imag()), z.real()),
     std::copysign(half - std::abs(z.real()), z.imag()) };
 }
@@ -202,7 +132,7 @@ Vector2 toPeirce(const Vector3& n)
 
 bool fromPeirce(const Vector2& place, Vector3& n)
 {
-  const double half = 0.5 * Lemniscate;
+  const double half = HalfLemniscate;
   if (place.cwiseAbs().maxCoeff() > 2.0 * half)
   {
     return false;
@@ -225,7 +155,7 @@ Vector2 halfSizeOfMap(MapProjection projection)
     case MapProjection::Equirectangular:
       return { 180.0, 90.0 };
     case MapProjection::PeirceQuincuncial:
-      return { Lemniscate, Lemniscate };
+      return { 2.0 * HalfLemniscate, 2.0 * HalfLemniscate };
     default:
       return { 2.0 * Sqrt2, Sqrt2 };
   }

@@ -1,18 +1,21 @@
 #include "Learn/ConformalSOM.h"
 
 #include "Base/FixedPointSums.h"
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Cloud/FootPoints.h"
 #include "Cloud/SampleRotation.h"
 #include "Learn/FirstSurface.h"
-#include "Learn/Fit/SurfaceSupport.h"
+#include "Learn/Fit/VertexSupport.h"
 #include "Learn/NeuronSearch.h"
 #include "Learn/Online/OnlineTraining.h"
+#include "Learn/OpenSurface.h"
 #include "Learn/StartSearch.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/Resampling.h"
 #include "SphereMap/GlobalConformalMap.h"
+#include "SphereMap/SheetMap.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -64,6 +67,12 @@ void check(const ConformalSOMOptions& options)
   require(options.Fit.Iterations >= 0, "FitIterations must not be negative");
   require(std::isfinite(options.Fit.Smoothness) && options.Fit.Smoothness >= 0.0,
     "Smoothness must be a number that is not negative");
+  require(std::isfinite(options.Opening.HoleSize) && options.Opening.HoleSize >= 0.0,
+    "HoleSize must be a number that is not negative");
+  require(
+    options.Opening.Border != Border::Open || (!online && options.MeshType != MeshType::Geodesic),
+    "only an adaptive mesh has a border; set Border to Automatic or Closed, or TrainingMode to "
+    "Batch and MeshType to Automatic or Adaptive");
 }
 
 void checkStart(const ConformalSOMOptions& options, const MappedMesh* mesh)
@@ -138,6 +147,53 @@ ConformalSOMResult learnOnline(const TrainingSamples& samples, const ConformalSO
 }
 }
 
+namespace
+{
+/// Open the surface where the samples end, and map the sheet to the sphere. Return false, without a
+/// change, if no part is left open.
+bool openedAndMapped(const TrainingSamples& samples, const BorderOptions& opening,
+  ConformalSOMResult& result, const Run& run)
+{
+  BorderOptions scaled = opening;
+  scaled.HoleSize /= samples.scale();
+  ConformalSOMResult opened = result;
+  Steps steps(run, { 0.5, 0.5 }); // progress: cut, map
+  if (!openSurface(samples, scaled, opened, steps.next()))
+  {
+    return false;
+  }
+  try
+  {
+    if (opened.NumberOfBorders > 0)
+    {
+      opened.SpherePositions = mapSheet(opened, steps.next()).Positions;
+      result = std::move(opened);
+      return true;
+    }
+  }
+  catch (const NumericalFailure&)
+  {
+    // The sheet has narrow bridges. The closed surface is mapped.
+  }
+  result.BorderFailed = true;
+  return false;
+}
+
+/// Map the surface to the sphere, after it was opened where the samples end.
+void openAndMap(const TrainingSamples& samples, const BorderOptions& opening,
+  ConformalSOMResult& result, const Run& run)
+{
+  Steps steps(run, { 0.3, 0.7 }); // progress: sheet, closed surface
+  if (openedAndMapped(samples, opening, result, steps.next()))
+  {
+    return;
+  }
+  GlobalConformalMapResult map = globalConformalMap(result, {}, steps.next());
+  result.SpherePositions = std::move(map.Positions);
+  result.ConformalMapFits = map.Tier != GlobalConformalTier::Progressive;
+}
+}
+
 ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   const ConformalSOMOptions& options, const MappedMesh* mesh, const Run& run)
 {
@@ -153,9 +209,14 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
     : learnWithNeurons(samples, options, mesh, steps.next());
   if (!isGeodesic)
   {
-    GlobalConformalMapResult map = globalConformalMap(result, {}, steps.next());
-    result.SpherePositions = std::move(map.Positions);
-    result.ConformalMapFits = map.Tier != GlobalConformalTier::Progressive;
+    const bool isOwnMesh = result.FromMesh && mesh->SpherePositions.rows() == 0;
+    BorderOptions opening = options.Opening;
+    // The triangles of the input define the surface between its points. Flat points have no inside.
+    if (isOwnMesh || samples.dimension() < 3)
+    {
+      opening.Border = Border::Closed;
+    }
+    openAndMap(samples, opening, result, steps.next());
   }
   result.Positions = samples.restoreAll(std::move(result.Positions));
   run.report(1.0);

@@ -9,6 +9,7 @@
 #define ConformalConformalSOMOptions_h
 
 #include "Base/Types.h"
+#include "Border/OpenParts.h"
 #include "Hull/GenusZeroHull.h"
 #include "Learn/Batch/BatchTraining.h"
 #include "Learn/Fit/FitOptions.h"
@@ -83,6 +84,8 @@ struct ConformalSOMOptions
   /// Options of the least-squares fit, the last stage of Batch mode. The fit moves vertices toward
   /// the points.
   FitOptions Fit;
+  /// Whether the surface ends where the points end. HoleSize is in the unit of the input points.
+  BorderOptions Opening;
   unsigned int RandomSeed = 1; ///< seed of all random numbers
   StageObserver Observer;      ///< function called with each intermediate surface; may be empty
 };
@@ -110,11 +113,24 @@ struct StartReport
   Index NumberOfSamplesOutside = 0;
 };
 
+/// Border of a learned surface.
+struct BorderReport
+{
+  int NumberOfBorders = 0;   ///< 0 for a closed surface
+  double OpenFraction = 0.0; ///< removed area as a fraction of the area of the closed surface
+  /// Area of parts that were dropped, since they were not connected to the largest part, as a
+  /// fraction of the area of the closed surface.
+  double DroppedFraction = 0.0;
+  /// Whether no border could be fitted, so that the surface stayed closed.
+  bool BorderFailed = false;
+};
+
 /// Learned mesh with #N vertices, and measures of its quality. Positions are in the coordinates of
 /// the input points.
 struct ConformalSOMResult
   : FittedMesh
   , StartReport
+  , BorderReport
 {
   /// #N values in [0, 1]: support of each vertex by nearby samples, see supportOfVertices().
   std::vector<double> Supported;

@@ -6,7 +6,7 @@
 #include "Learn/FirstSurface.h"
 #include "Learn/Fit/AdaptiveFit.h"
 #include "Learn/Fit/SurfaceQuality.h"
-#include "Learn/Fit/SurfaceSupport.h"
+#include "Learn/Fit/VertexSupport.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/VertexNormals.h"
 #include "Search/TriangleTree.h"

@@ -1,6 +1,7 @@
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
+#include <map>
 
 namespace conformal
 {
@@ -106,6 +107,49 @@ Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const R
 }
 
 //------------------------------------------------------------------------------
+std::vector<BorderLoop> borderLoops(const Mesh& mesh)
+{
+  std::map<int, int> nextOnBorder;
+  const Triangles across = triangleNeighbors(mesh.Triangles, mesh.Positions.rows());
+  for (Index r = 0; r < across.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (across(r, k) < 0)
+      {
+        nextOnBorder[mesh.Triangles(r, k)] = mesh.Triangles(r, next(k));
+      }
+    }
+  }
+  std::vector<BorderLoop> loops;
+  std::size_t longest = 0;
+  double maximum = -1.0;
+  while (!nextOnBorder.empty())
+  {
+    BorderLoop loop;
+    double length = 0.0;
+    for (auto at = nextOnBorder.begin(); at != nextOnBorder.end();)
+    {
+      const auto [from, to] = *at;
+      loop.push_back(from);
+      length += (mesh.Positions.row(to) - mesh.Positions.row(from)).norm();
+      nextOnBorder.erase(at);
+      at = nextOnBorder.find(to);
+    }
+    if (length > maximum)
+    {
+      maximum = length;
+      longest = loops.size();
+    }
+    loops.push_back(loop);
+  }
+  if (!loops.empty())
+  {
+    std::rotate(loops.begin(), loops.begin() + longest, loops.begin() + longest + 1);
+  }
+  return loops;
+}
+
 std::vector<std::vector<int>> independentSets(
   const std::vector<int>& vertices, int numberOfVertices, const VisitNeighbors& visitNeighbors)
 {

@@ -1,11 +1,12 @@
-/// Find neighboring vertices and triangles of a triangle mesh. Partition vertices into sets in
-/// which no two vertices are neighbors.
+/// Find neighboring vertices and triangles of a triangle mesh, and its borders. Partition vertices
+/// into sets in which no two vertices are neighbors.
 
 #ifndef ConformalMeshTopology_h
 #define ConformalMeshTopology_h
 
 #include "Base/Run.h"
 #include "Base/Types.h"
+#include "Mesh/Mesh.h"
 
 #include <functional>
 #include <vector>
@@ -48,6 +49,15 @@ Triangles triangleNeighbors(
 /// Count the directed edges (three per triangle) whose opposite direction occurs in no other
 /// triangle. The result is 0 for a closed, consistently oriented mesh.
 Index countOpenEdges(const Triangles& triangles, Index numberOfVertices, const Run& run = {});
+
+/// Border of a mesh, a closed curve of edges with a single triangle: ids of its vertices, in the
+/// direction of the triangles' edges. The mesh is on the left, seen from outside.
+using BorderLoop = std::vector<int>;
+
+/// Return the borders of a mesh, the longest first. The others are in the sequence of their
+/// smallest ids.
+/// @pre manifold and consistently oriented, so that each vertex is on at most one border
+std::vector<BorderLoop> borderLoops(const Mesh& mesh);
 
 /// Function that calls `visit` with each neighbor of a vertex.
 using VisitNeighbors = std::function<void(int vertex, const std::function<void(int)>& visit)>;

@@ -1,6 +1,6 @@
 #include "SphereMap/Sheet.h"
 
-#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/MeshTopology.h"
 
 #include <algorithm>
 #include <array>
@@ -96,40 +96,10 @@ std::vector<char> borderVertices(const Triangles& triangles, Index numberOfVerti
 //------------------------------------------------------------------------------
 Mesh withFilledHoles(const Mesh& mesh)
 {
-  std::map<int, int> nextOnBorder;
-  for (const Edge& edge : checkGenusZero(mesh.Triangles, mesh.Positions.rows()).BoundaryEdges)
-  {
-    nextOnBorder[edge[0]] = edge[1];
-  }
-  std::vector<std::vector<int>> loops;
-  std::size_t longest = 0;
-  double maximum = -1.0;
-  while (!nextOnBorder.empty())
-  {
-    std::vector<int> loop;
-    double length = 0.0;
-    for (auto at = nextOnBorder.begin(); at != nextOnBorder.end();)
-    {
-      const auto [from, to] = *at;
-      loop.push_back(from);
-      length += (mesh.Positions.row(to) - mesh.Positions.row(from)).norm();
-      nextOnBorder.erase(at);
-      at = nextOnBorder.find(to);
-    }
-    if (length > maximum)
-    {
-      maximum = length;
-      longest = loops.size();
-    }
-    loops.push_back(loop);
-  }
+  const std::vector<BorderLoop> loops = borderLoops(mesh);
   Mesh filled = mesh;
-  for (std::size_t i = 0; i < loops.size(); ++i)
+  for (std::size_t i = 1; i < loops.size(); ++i)
   {
-    if (i == longest)
-    {
-      continue;
-    }
     const auto size = static_cast<Index>(loops[i].size());
     const Index first = filled.Triangles.rows();
     const auto center = static_cast<int>(filled.Positions.rows());

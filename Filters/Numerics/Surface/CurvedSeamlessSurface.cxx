@@ -58,6 +58,47 @@ conformal::Triangles trianglesOfMap(
   }
   return turned;
 }
+
+/// Extrapolate vertex normals to the border. The mean normal of the triangles on one side of a
+/// border vertex is the normal inside of the border, at 0.44 of the height of a triangle if the
+/// triangles are equilateral. The neighbors inside are at a whole height.
+void extrapolateToBorder(
+  Points& normals, const conformal::Triangles& triangles, const conformal::Triangles& neighbors)
+{
+  constexpr double share = 0.44 / (1.0 - 0.44), nearlyUnit = 0.99;
+  std::vector<char> onBorder(normals.rows(), 0);
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (neighbors(r, k) < 0)
+      {
+        onBorder[triangles(r, k)] = onBorder[triangles(r, next(k))] = 1;
+      }
+    }
+  }
+  const Points own = normals;
+  Points inside = Points::Zero(normals.rows(), 3);
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = triangles(r, k), b = triangles(r, next(k));
+      if (onBorder[a] != onBorder[b])
+      {
+        inside.row(onBorder[a] ? a : b) += own.row(onBorder[a] ? b : a);
+      }
+    }
+  }
+  for (Index v = 0; v < normals.rows(); ++v)
+  {
+    const Vector3 n = own.row(v), m = Vector3(inside.row(v)).stableNormalized();
+    if (onBorder[v] && n.norm() > nearlyUnit && m.dot(n) > 0.0)
+    {
+      normals.row(v) = (n + share * (n - m)).normalized();
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -99,10 +140,19 @@ Points unitVectors(const PointView& vectors, const char* what, const Run& run)
 //------------------------------------------------------------------------------
 CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
   const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud, const Run& run)
+  : CurvedSeamlessSurface(CappedSheet{ model, 0, 0 }, options, cloud, run)
+{
+}
+
+//------------------------------------------------------------------------------
+CurvedSeamlessSurface::CurvedSeamlessSurface(const CappedSheet& model,
+  const CurvedSeamlessSurfaceOptions& options, const TrainingSamples* cloud, const Run& run)
   : Options(options)
   , Sphere(unitVectors(model.SpherePositions, "sphere position", run))
   , Model(model.Positions)
   , Triangles(trianglesOfMap(this->Sphere, model.Triangles, run))
+  , CapVertices(model.NumberOfCapVertices)
+  , CapTriangles(model.NumberOfCapTriangles)
 {
   const bool isFitted = options.DomeHeight == DomeHeight::Fitted;
   const bool isMatched = options.SeamMode == SeamMode::EdgeMatched;
@@ -125,7 +175,7 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
     centered /= this->HeightUnit;
   }
   const double rounding = 1e-12;
-  this->InsideOut = signedVolume(centered, this->Triangles) < -rounding;
+  this->InsideOut = !this->isSheet() && signedVolume(centered, this->Triangles) < -rounding;
   steps.next();
   const Adjacency around = vertexTriangles(this->Triangles, this->Model.rows());
   this->Neighbors = triangleNeighbors(this->Triangles, around, run);
@@ -135,7 +185,7 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
   const Run curving = steps.next();
   if (this->differentiable())
   {
-    this->curve(around, cloud, curving);
+    this->curve(cloud, curving);
   }
   else
   {
@@ -153,21 +203,26 @@ CurvedSeamlessSurface::CurvedSeamlessSurface(const MappedMesh& model,
 }
 
 //------------------------------------------------------------------------------
-void CurvedSeamlessSurface::curve(
-  const Adjacency& around, const TrainingSamples* cloud, const Run& run)
+void CurvedSeamlessSurface::curve(const TrainingSamples* cloud, const Run& run)
 {
+  const conformal::Triangles triangles = this->Triangles.topRows(this->numberOfTriangles());
+  const Adjacency around = vertexTriangles(triangles, this->Model.rows());
   Points normals = Points::Zero(this->Model.rows(), 3);
   if (this->Options.DomeHeight != DomeHeight::None)
   {
     normals = this->Options.DomeHeight == DomeHeight::Fitted
-      ? vertexNormals(this->Model, this->Triangles, around, run)
-      : curvingNormals(this->Model, this->Triangles, around, this->Neighbors, run);
+      ? vertexNormals(this->Model, triangles, around, run)
+      : curvingNormals(this->Model, triangles, around, this->neighborsWithoutCaps(), run);
   }
-  this->Curved = CurvedTriangles(this->Model, normals, this->Triangles);
+  if (this->isSheet() && this->Options.DomeHeight != DomeHeight::None)
+  {
+    extrapolateToBorder(normals, triangles, this->neighborsWithoutCaps());
+  }
+  this->Curved = CurvedTriangles(this->Model, normals, triangles);
   if (this->Options.VertexShift > 0.0 && this->Options.DomeHeight != DomeHeight::None)
   {
     const Points lowered = lowerVertices(this->Curved, around, this->Options.VertexShift, run);
-    this->Curved = CurvedTriangles(lowered, normals, this->Triangles);
+    this->Curved = CurvedTriangles(lowered, normals, triangles);
   }
   if (this->Options.DomeHeight == DomeHeight::Fitted)
   {
@@ -179,6 +234,18 @@ void CurvedSeamlessSurface::curve(
     this->Curved = fitCurvedTriangles(this->Curved, *cloud, this->Options.Fit, run);
   }
   this->Degenerate = flattenFolds(this->Curved, run);
+}
+
+//------------------------------------------------------------------------------
+Triangles CurvedSeamlessSurface::neighborsWithoutCaps() const
+{
+  conformal::Triangles neighbors = this->Neighbors.topRows(this->numberOfTriangles());
+  for (Index i = 0; i < neighbors.size(); ++i)
+  {
+    int& neighbor = neighbors.data()[i];
+    neighbor = neighbor < this->numberOfTriangles() ? neighbor : -1;
+  }
+  return neighbors;
 }
 
 //------------------------------------------------------------------------------
@@ -247,6 +314,44 @@ Eigen::Matrix3d CurvedSeamlessSurface::projection(Index triangle, const Vector3&
 }
 
 //------------------------------------------------------------------------------
+// Locate a direction in a triangle that is not on a cap. Rounding may move directions on the border
+// to a cap.
+SphereLocation CurvedSeamlessSurface::Evaluator::locate(const Vector3& direction) const
+{
+  constexpr double rounding = 1e-6; // barycentric
+  const CurvedSeamlessSurface& s = this->Surface;
+  SphereLocation location = s.Locator.locate(direction, this->Last);
+  const Index sheet = s.numberOfTriangles();
+  if (location.Triangle < sheet)
+  {
+    return location;
+  }
+  const int cap = location.Triangle;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int inside = s.Neighbors(cap, k);
+    const double beyond = location.Barycentric[previous(k)];
+    if (inside >= sheet || beyond > rounding)
+    {
+      continue;
+    }
+    const int first = s.Triangles(cap, k);
+    SphereLocation onBorder;
+    onBorder.Triangle = inside;
+    for (int m = 0; m < 3; ++m)
+    {
+      const int id = s.Triangles(inside, m);
+      onBorder.Barycentric[m] = id == first ? location.Barycentric[k]
+        : id == s.Triangles(cap, next(k))   ? location.Barycentric[next(k)]
+                                            : 0.0;
+    }
+    onBorder.Barycentric /= onBorder.Barycentric.sum();
+    return onBorder;
+  }
+  throw std::invalid_argument("a direction is beyond the border of the surface");
+}
+
+//------------------------------------------------------------------------------
 void CurvedSeamlessSurface::Evaluator::moveTo(Index triangle)
 {
   if (triangle != this->Last)
@@ -294,7 +399,7 @@ CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::evaluate(
   {
     requireDifferentiable(s, "derivative");
   }
-  const SphereLocation location = s.Locator.locate(direction, this->Last);
+  const SphereLocation location = this->locate(direction);
   const int r = location.Triangle;
   if (r < 0)
   {
@@ -402,8 +507,8 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
 Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions, const Run& run)
 {
   Mesh network;
-  network.Positions = surface.sphere();
-  network.Triangles = surface.triangles();
+  network.Positions = surface.sphere().topRows(surface.numberOfVertices());
+  network.Triangles = surface.triangles().topRows(surface.numberOfTriangles());
   const Index numberOfVertices = network.Positions.rows();
   Mesh fine = subdivide(network, subdivisions, run);
   forBlocks(run, fine.Positions.rows() - numberOfVertices, BlockSize,

@@ -1,8 +1,8 @@
-/// Build and evaluate the curved seamless surface (CSS) of a closed mesh, \cite Liou2008 section 3.
-/// A CSS is a function from directions (unit vectors) to points of a closed surface without gaps.
-/// Each vertex of the mesh has a position in space and a position on the unit sphere. The mesh on
-/// the sphere is called the network. The mesh in space is called the model. The curved patch over a
-/// flat triangle of the model is called a dome.
+/// Build and evaluate the curved seamless surface (CSS) of a closed mesh or a sheet, \cite Liou2008
+/// section 3. A CSS is a function from directions (unit vectors) to points of a closed surface
+/// without gaps. Each vertex of the mesh has a position in space and a position on the unit sphere.
+/// The mesh on the sphere is called the network. The mesh in space is called the model. The curved
+/// patch over a flat triangle of the model is called a dome.
 
 #ifndef ConformalCurvedSeamlessSurface_h
 #define ConformalCurvedSeamlessSurface_h
@@ -10,6 +10,7 @@
 #include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
+#include "Sphere/SheetCaps.h"
 #include "Sphere/SphereLocator.h"
 #include "Surface/CurvedTriangleFit.h"
 #include "Surface/CurvedTriangles.h"
@@ -52,8 +53,9 @@ struct CurvedSeamlessSurfaceOptions
   CurvedTriangleFitOptions Fit; ///< used by DomeHeight::Fitted
 };
 
-/// Represent a curved seamless surface as a function of the direction, a unit vector. The function
-/// is defined for every direction.
+/// Represent a curved seamless surface as a function of the direction, a unit vector. For a closed
+/// mesh, the function is defined for every direction. For a sheet, the function is defined for the
+/// directions in the image of the sheet.
 ///
 /// The CSS algorithm of \cite Liou2008 has 11 steps. The constructor executes steps 1 to 5, which
 /// do not depend on the direction. An Evaluator executes steps 6 to 10 for each direction.
@@ -92,6 +94,13 @@ public:
     const CurvedSeamlessSurfaceOptions& options = {}, const TrainingSamples* cloud = nullptr,
     const Run& run = {});
 
+  /// Build the surface of a sheet. Its caps have no influence on normals and domes of the sheet,
+  /// except for Published and Scaled domes along the border. The outward side of a sheet is the
+  /// side from which its triangles are counter-clockwise.
+  explicit CurvedSeamlessSurface(const CappedSheet& model,
+    const CurvedSeamlessSurfaceOptions& options = {}, const TrainingSamples* cloud = nullptr,
+    const Run& run = {});
+
   // Not copyable, since members refer to each other.
   CurvedSeamlessSurface(const CurvedSeamlessSurface&) = delete;
   CurvedSeamlessSurface& operator=(const CurvedSeamlessSurface&) = delete;
@@ -106,12 +115,18 @@ public:
       this->Options.DomeHeight != DomeHeight::Scaled;
   }
 
-  /// Return the curved triangles of the surface, without the map to the sphere. If differentiable()
-  /// is false, the result is empty.
+  /// Return the curved triangles of the surface, without caps and without the map to the sphere. If
+  /// differentiable() is false, the result is empty.
   const CurvedTriangles& curvedTriangles() const { return this->Curved; }
 
-  /// Return the vertices of the network, #V by 3 unit vectors.
+  /// Return the vertices of the network, #V by 3 unit vectors. Those of caps are last.
   const Points& sphere() const { return this->Sphere; }
+  /// Return the number of vertices without those of caps.
+  Index numberOfVertices() const { return this->Sphere.rows() - this->CapVertices; }
+
+  /// Return the number of triangles without caps. Triangles of caps are last.
+  Index numberOfTriangles() const { return this->Triangles.rows() - this->CapTriangles; }
+  bool isSheet() const { return this->CapTriangles > 0; }
 
   /// Return the triangles, #F by 3 vertex ids. Seen from outside, the triangles on the sphere are
   /// counter-clockwise.
@@ -121,9 +136,14 @@ public:
   /// (MeshTopology.h).
   const conformal::Triangles& neighbors() const { return this->Neighbors; }
 
+  /// Return the neighbors of each triangle without caps; -1 across the border.
+  conformal::Triangles neighborsWithoutCaps() const;
+
+  /// Return the number of degenerate triangles, see degenerate(), without those of caps.
   Index numberOfDegeneratePatches() const
   {
-    return std::count(this->Degenerate.begin(), this->Degenerate.end(), 1);
+    return std::count(
+      this->Degenerate.begin(), this->Degenerate.begin() + this->numberOfTriangles(), 1);
   }
 
   /// Return 1 for each degenerate triangle, else 0. A triangle is degenerate in three cases:
@@ -136,7 +156,7 @@ public:
   const std::vector<unsigned char>& degenerate() const { return this->Degenerate; }
 
 private:
-  void curve(const Adjacency& around, const TrainingSamples* cloud, const Run& run);
+  void curve(const TrainingSamples* cloud, const Run& run);
   void scaleDomes();
   Vector3 onSphere(Index triangle, const Vector3& barycentric) const;
   Eigen::Matrix3d projection(Index triangle, const Vector3& direction) const;
@@ -146,6 +166,7 @@ private:
   Points Model;
   conformal::Triangles Triangles;
   conformal::Triangles Neighbors;
+  Index CapVertices, CapTriangles;
   double HeightUnit = 1.0;
   bool InsideOut = false;
   SphereLocator Locator;
@@ -177,6 +198,7 @@ public:
   /// @param[in] direction  direction p, a unit vector
   /// @param[out] derivative  derivative of q by p; may be null
   /// @throws std::invalid_argument if the length of the direction is far from 1
+  /// @throws std::invalid_argument if the direction is beyond the border of a sheet
   /// @throws std::invalid_argument if a derivative is requested and differentiable() is false
   Image evaluate(const Vector3& direction, Eigen::Matrix3d* derivative = nullptr);
 
@@ -185,6 +207,7 @@ public:
   Vector3 direction(Index triangle, const Vector3& barycentric);
 
 private:
+  SphereLocation locate(const Vector3& direction) const;
   void moveTo(Index triangle);
   Image onDomes(Index triangle, const Vector3& p, const Vector3& q) const;
 
@@ -250,8 +273,8 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
 /// of the network then contains some directions, even if the triangle is small on the sphere. No
 /// new triangle crosses an edge of the network.
 ///
-/// @return mesh of unit vectors. The vertices of the network are first. Seen from outside, the
-///   triangles are counter-clockwise.
+/// @return mesh of unit vectors, without caps. The vertices of the network are first. Seen from
+///   outside, the triangles are counter-clockwise.
 /// @throws std::invalid_argument if subdivide() throws it
 Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions, const Run& run = {});
 

@@ -67,7 +67,7 @@ std::vector<double> supportAt(const CurvedSeamlessSurface& surface, const Number
     return shares;
   }
   Points values = Points::Zero(surface.sphere().rows(), 3);
-  for (Index i = 0; i < values.rows(); ++i)
+  for (Index i = 0; i < support.size(); ++i)
   {
     values(i, 0) = std::isfinite(support[i]) ? std::clamp(support[i], 0.0, 1.0) : 0.0;
   }

@@ -1,8 +1,11 @@
 #include "Texture/SphereProjection.h"
 
+#include "Texture/Lemniscate.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 
 namespace conformal
 {
@@ -176,6 +179,71 @@ Vector3 fromCube(const Vector2& st, const SphereImage& image)
 }
 
 //------------------------------------------------------------------------------
+// Disk and square: patch 0 is the hemisphere z >= 0, with what rounding adds. Patch 1 is the rest,
+// which is not in the image.
+constexpr double BelowBorder = 1e-6; // height
+
+bool isHemisphere(SphereProjection projection)
+{
+  return projection == SphereProjection::Disk || projection == SphereProjection::Square;
+}
+
+int hemispherePatch(const Vector3& n)
+{
+  return n[2] >= -BelowBorder ? 0 : 1;
+}
+
+using Complex = std::complex<double>;
+
+// Rotation by 45 degrees: the sides of the square are parallel to the axes of the image.
+const Complex& eighthTurn()
+{
+  static const Complex turn = std::sqrt(Complex(0.0, 1.0));
+  return turn;
+}
+
+Vector2 squareOf(const Vector2& disk)
+{
+  Complex w = Complex(disk[0], disk[1]) * std::conj(eighthTurn());
+  const double radius = std::abs(w);
+  w = radius > 1.0 ? w / radius : w;
+  w = lemniscateArcsine(w) * eighthTurn() / (std::sqrt(0.5) * HalfLemniscate);
+  return 0.5 * Vector2(1.0 + w.real(), 1.0 + w.imag());
+}
+
+// The border is a mirror: the image beyond a side is that before it.
+Vector2 diskOf(const Vector2& st)
+{
+  Vector2 q = 2.0 * st - Vector2::Ones();
+  for (int k = 0; k < 2; ++k)
+  {
+    q[k] = std::abs(q[k]) > 1.0 ? std::copysign(2.0 - std::min(std::abs(q[k]), 2.0), q[k]) : q[k];
+  }
+  const Complex z = Complex(q[0], q[1]) * std::conj(eighthTurn()) * std::sqrt(0.5) * HalfLemniscate;
+  const Complex w = lemniscateSine(z) * eighthTurn();
+  return { w.real(), w.imag() };
+}
+
+Vector2 hemisphere(const Vector3& n, SphereProjection projection, int patch)
+{
+  if (patch == 1)
+  {
+    return Vector2(FarAway, 0.0);
+  }
+  const double length = n.norm();
+  const Vector2 w = length > 0.0 ? planeOf(n / length) : Vector2(0.0, 0.0);
+  return projection == SphereProjection::Disk ? Vector2(0.5 * (Vector2::Ones() + w)) : squareOf(w);
+}
+
+Vector3 fromHemisphere(const Vector2& st, SphereProjection projection)
+{
+  const Vector2 w =
+    projection == SphereProjection::Disk ? Vector2(2.0 * st - Vector2::Ones()) : diskOf(st);
+  const double square = w.squaredNorm();
+  return Vector3(2.0 * w[0], 2.0 * w[1], std::abs(1.0 - square)).normalized();
+}
+
+//------------------------------------------------------------------------------
 using Borders = std::vector<Eigen::Vector4d>; // borders of a patch in the frame of the viewer
 
 Vector2 unscaled(const Vector3& m, const SphereImage& image, int patch)
@@ -223,6 +291,13 @@ std::vector<Borders> bordersInView(SphereProjection projection)
           through(face.Outward + face.Up), through(face.Outward - face.Up) });
       }
       break;
+    case SphereProjection::Disk:
+    case SphereProjection::Square:
+    {
+      const Eigen::Vector4d border(0.0, 0.0, 1.0, BelowBorder);
+      result = { { border }, { -border } };
+      break;
+    }
     default:
     {
       const Eigen::Vector4d farthest(0.0, 0.0, 1.0, -std::cos(0.5 * MaximumFieldOfView * Radians));
@@ -242,6 +317,10 @@ Vector2 stereographicPlane(const Vector3& n, const SphereView& view)
 //------------------------------------------------------------------------------
 int patchOf(const Vector3& n, const SphereImage& image)
 {
+  if (isHemisphere(image.Projection))
+  {
+    return hemispherePatch(n.normalized());
+  }
   const Vector3 m = inView(n, image.View);
   switch (image.Projection)
   {
@@ -260,7 +339,8 @@ int patchOf(const Vector3& n, const SphereImage& image)
 Vector2 patchToTexture(const Vector3& n, const SphereImage& image, int patch)
 {
   const Vector2 middle = Vector2::Constant(0.5);
-  const Vector2 st = unscaled(inView(n, image.View), image, patch);
+  const Vector2 st = isHemisphere(image.Projection) ? hemisphere(n, image.Projection, patch)
+                                                    : unscaled(inView(n, image.View), image, patch);
   return middle + (st - middle).cwiseQuotient(image.Scale);
 }
 
@@ -277,6 +357,10 @@ Vector3 textureToSphere(const Vector2& st, const SphereImage& image)
 {
   const Vector2 middle = Vector2::Constant(0.5);
   const Vector2 q = (st - middle).cwiseProduct(image.Scale);
+  if (isHemisphere(image.Projection))
+  {
+    return fromHemisphere(middle + q, image.Projection);
+  }
   switch (image.Projection)
   {
     case SphereProjection::LongitudeLatitude:
@@ -303,19 +387,22 @@ Vector3 textureToSphere(const Vector2& st, const SphereImage& image)
 std::vector<SpherePatch> spherePatches(const SphereImage& image)
 {
   std::vector<SpherePatch> patches;
+  const bool isFixed = isHemisphere(image.Projection);
   for (const Borders& borders : bordersInView(image.Projection))
   {
     SpherePatch patch;
     patch.Borders.resize(static_cast<Index>(borders.size()), 4);
     for (std::size_t i = 0; i < borders.size(); ++i)
     {
-      const Vector3 inward = borders[i][0] * image.View.Right + borders[i][1] * image.View.Up +
-        borders[i][2] * image.View.Pole;
+      const Vector3 inward = isFixed
+        ? Vector3(borders[i].head<3>())
+        : Vector3(borders[i][0] * image.View.Right + borders[i][1] * image.View.Up +
+            borders[i][2] * image.View.Pole);
       patch.Borders.row(i) << inward.transpose(), borders[i][3];
     }
     patches.push_back(patch);
   }
-  if (image.Projection == SphereProjection::Stereographic)
+  if (isFixed || image.Projection == SphereProjection::Stereographic)
   {
     patches[1].InImage = false;
   }

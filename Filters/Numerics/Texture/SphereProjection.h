@@ -1,6 +1,7 @@
 /// Convert between directions on the sphere and positions in images. The projections are
 /// stereographic \cite Liou2008, longitude and latitude \cite Snyder1987, octahedron
-/// \cite Praun2003, and cube \cite Greene1986.
+/// \cite Praun2003, cube \cite Greene1986, and, for a hemisphere, disk and square
+/// \cite Peirce1879.
 
 #ifndef ConformalSphereProjection_h
 #define ConformalSphereProjection_h
@@ -28,7 +29,13 @@ enum class SphereProjection
   Octahedral,
   /// Whole sphere, six faces of a cube in two rows of three. View.Pole is in the middle of the
   /// upper row.
-  CubeMap
+  CubeMap,
+  /// Hemisphere z >= 0, on which sheets are mapped, see mapSheet(): the disk inscribed in the
+  /// image, by the stereographic projection. Directions do not depend on View.
+  Disk,
+  /// Hemisphere z >= 0: the whole image, by the conformal map of the disk onto the square. The
+  /// corners of the image are the directions (1, 1, 0), (-1, 1, 0), (-1, -1, 0) and (1, -1, 0).
+  Square
 };
 
 /// Position and projection of an image on the sphere.
@@ -59,7 +66,7 @@ Vector2 sphereToTexture(const Vector3& n, const SphereImage& image);
 /// Compute the direction at texture coordinates. This is the inverse of sphereToTexture(). The
 /// margin along a seam (a line where the image is discontinuous) shows the part of the sphere
 /// beyond the seam. Pixels at the seam can thus be interpolated with their neighbors beyond the
-/// seam.
+/// seam. Beyond the border of Disk and Square, the image shows the mirror image of the hemisphere.
 /// @return unit vector
 Vector3 textureToSphere(const Vector2& st, const SphereImage& image);
 

@@ -1,6 +1,7 @@
 #include "Mesh/MeshTopology.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "Sheets.h"
 
 #include <gtest/gtest.h>
 
@@ -96,4 +97,33 @@ TEST(MeshTopology, IndependentSetsHoldEachVertexOnceAndNoNeighbors)
       0);
   }
   EXPECT_LE(sets.size(), 7U); // a vertex has at most six neighbors
+}
+
+TEST(MeshTopology, AClosedMeshHasNone)
+{
+  EXPECT_TRUE(conformal::borderLoops(conformal::makeGeodesicSphere(3)).empty());
+}
+
+TEST(MeshTopology, TheLongestIsFirstAndHasTheMeshOnItsLeft)
+{
+  const conformal::Mesh cap = sheets::cap(5, 1.0);
+  conformal::Mesh pierced = cap;
+  pierced.Triangles = cap.Triangles.bottomRows(cap.Triangles.rows() - 6); // without the center
+  const auto loops = conformal::borderLoops(pierced);
+  ASSERT_EQ(loops.size(), 2u);
+  EXPECT_EQ(loops[0].size(), 30u);
+  EXPECT_EQ(loops[1].size(), 6u);
+  const auto turns = [&](const conformal::BorderLoop& loop)
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const conformal::Vector3 a = cap.Positions.row(loop[i]),
+                               b = cap.Positions.row(loop[(i + 1) % loop.size()]);
+      sum += a.cross(b)[2];
+    }
+    return sum;
+  };
+  EXPECT_GT(turns(loops[0]), 0.0);
+  EXPECT_LT(turns(loops[1]), 0.0);
 }

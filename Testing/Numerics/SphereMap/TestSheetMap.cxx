@@ -2,6 +2,7 @@
 
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Sheets.h"
 #include "SphereMap/Sheet.h"
 
 #include <gtest/gtest.h>
@@ -18,53 +19,10 @@ using conformal::Points;
 using conformal::SheetMapResult;
 using conformal::Triangles;
 using conformal::Vector3;
+using sheets::cap;
 
 namespace
 {
-// Cap of the unit sphere around the axis z, up to a polar angle: a deformed disk of hexagons.
-Mesh cap(int rings, double angle)
-{
-  Mesh mesh;
-  std::vector<Vector3> points = { Vector3::UnitZ() };
-  std::vector<Eigen::Vector3i> triangles;
-  const auto first = [](int ring) { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1); };
-  for (int ring = 1; ring <= rings; ++ring)
-  {
-    const double theta = angle * ring / rings;
-    for (int k = 0; k < 6 * ring; ++k)
-    {
-      const double phi = 2.0 * conformal::Pi * k / (6.0 * ring);
-      points.emplace_back(
-        std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-    }
-    for (int side = 0; side < 6; ++side)
-    {
-      for (int k = 0; k < ring; ++k)
-      {
-        const auto outer = [&](int i) { return first(ring) + (side * ring + i) % (6 * ring); };
-        const auto inner = [&](int i)
-        { return ring == 1 ? 0 : first(ring - 1) + (side * (ring - 1) + i) % (6 * (ring - 1)); };
-        triangles.emplace_back(outer(k), outer(k + 1), inner(k));
-        if (k + 1 < ring)
-        {
-          triangles.emplace_back(inner(k), outer(k + 1), inner(k + 1));
-        }
-      }
-    }
-  }
-  mesh.Positions.resize(static_cast<Index>(points.size()), 3);
-  mesh.Triangles.resize(static_cast<Index>(triangles.size()), 3);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    mesh.Positions.row(static_cast<Index>(i)) = points[i];
-  }
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    mesh.Triangles.row(static_cast<Index>(i)) = triangles[i];
-  }
-  return mesh;
-}
-
 void expectCircle(const Mesh& mesh, const SheetMapResult& map)
 {
   const std::vector<char> border = conformal::borderVertices(mesh.Triangles, mesh.Positions.rows());

@@ -4,6 +4,7 @@
 #include "Mesh/MeshTopology.h"
 #include "Runs.h"
 #include "Search/TriangleTree.h"
+#include "Sheets.h"
 
 #include <Eigen/LU>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -781,4 +782,60 @@ TEST(CurvedSeamlessSurface, ReportsProgressAndStopsWhenAsked)
   {
     EXPECT_THROW(build(runs::stoppingAt(stopAt)), conformal::Aborted);
   }
+}
+
+// A cap of the sphere, mapped by itself. Its curved surface is that of the sphere, up to the
+// border.
+TEST(CurvedSeamlessSurface, ASheetEndsAtItsBorder)
+{
+  conformal::MappedMesh sheet;
+  static_cast<conformal::Mesh&>(sheet) = sheets::cap(16, 0.5 * conformal::Pi);
+  sheet.SpherePositions = sheet.Positions;
+  for (const conformal::DomeHeight domes :
+    { conformal::DomeHeight::None, conformal::DomeHeight::Curvature,
+      conformal::DomeHeight::Published, conformal::DomeHeight::Scaled })
+  {
+    const CurvedSeamlessSurface surface(conformal::withCaps(sheet), optionsOf(domes));
+    EXPECT_TRUE(surface.isSheet());
+    EXPECT_EQ(surface.numberOfVertices(), sheet.Positions.rows());
+    EXPECT_EQ(surface.numberOfTriangles(), sheet.Triangles.rows());
+    EXPECT_EQ(surface.numberOfDegeneratePatches(), 0);
+    const conformal::Mesh fine = conformal::subdividedNetwork(surface, 3);
+    EXPECT_EQ(fine.Triangles.rows(), 9 * sheet.Triangles.rows());
+    std::vector<double> positions(3 * fine.Positions.rows()), normals(positions.size());
+    conformal::SurfaceSamples samples;
+    samples.Positions = positions.data();
+    samples.Normals = normals.data();
+    conformal::evaluate(surface, fine.Positions, samples);
+    const bool isSmooth = domes == conformal::DomeHeight::Curvature;
+    for (Index i = 0; i < fine.Positions.rows(); ++i)
+    {
+      const Vector3 x(positions.data() + 3 * i), n(normals.data() + 3 * i);
+      EXPECT_NEAR(x.norm(), 1.0, isSmooth ? 5e-4 : 0.01);
+      EXPECT_GE(x[2], -0.01);
+      EXPECT_GT(n.dot(x), isSmooth ? 0.998 : 0.99);
+      if (i < sheet.Positions.rows())
+      {
+        EXPECT_TRUE(x.isApprox(Vector3(sheet.Positions.row(i)), 1e-12));
+      }
+    }
+  }
+}
+
+TEST(CurvedSeamlessSurface, BeyondTheBorderOfASheetThereIsNothing)
+{
+  conformal::MappedMesh sheet;
+  static_cast<conformal::Mesh&>(sheet) = sheets::cap(6, 0.5 * conformal::Pi);
+  sheet.SpherePositions = sheet.Positions;
+  const CurvedSeamlessSurface surface(conformal::withCaps(sheet));
+  CurvedSeamlessSurface::Evaluator evaluator(surface);
+  EXPECT_NO_THROW(evaluator.evaluate(Vector3::UnitX()));
+  EXPECT_THROW(evaluator.evaluate(-Vector3::UnitZ()), std::invalid_argument);
+  EXPECT_THROW(evaluator.evaluate(Vector3(0.8, 0.0, -0.6)), std::invalid_argument);
+  // The closest point of a point behind the sheet is on the sheet, not on its cap.
+  const Points behind = Points(Eigen::RowVector3d(0.1, 0.0, -0.3));
+  double direction[3], foot[3];
+  conformal::invert(surface, behind, direction, foot);
+  EXPECT_GE(direction[2], -1e-12);
+  EXPECT_GT(Vector3(foot).norm(), 0.9);
 }

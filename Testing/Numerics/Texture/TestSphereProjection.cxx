@@ -269,3 +269,53 @@ TEST(SphereProjection, HasAPlaceForTheCenter)
     }
   }
 }
+
+TEST(SphereProjection, DiskAndSquareShowTheHemisphere)
+{
+  for (const SphereProjection projection : { SphereProjection::Disk, SphereProjection::Square })
+  {
+    const SphereImage image = imageOf(projection);
+    for (double angle = 0.05; angle < 6.2; angle += 0.3)
+    {
+      const Vector3 onBorder(std::cos(angle), std::sin(angle), 0.0);
+      const Vector2 q = sphereToTexture(onBorder, image) - Vector2(0.5, 0.5);
+      const double size = projection == SphereProjection::Disk ? q.norm() : q.cwiseAbs().maxCoeff();
+      EXPECT_NEAR(size, 0.5, 1e-12);
+      for (const double height : { 0.1, 0.5, 0.95 })
+      {
+        const double r = std::sqrt(1.0 - height * height);
+        const Vector3 n(r * std::cos(angle), r * std::sin(angle), height);
+        EXPECT_TRUE(textureToSphere(sphereToTexture(n, image), image).isApprox(n, 1e-12));
+        EXPECT_EQ(conformal::patchOf(n, image), 0);
+        EXPECT_EQ(conformal::patchOf(-n, image), 1);
+      }
+    }
+    EXPECT_TRUE(sphereToTexture(Vector3::UnitZ(), image).isApprox(Vector2(0.5, 0.5), 1e-12));
+    EXPECT_TRUE(conformal::spherePatches(image)[0].InImage);
+    EXPECT_FALSE(conformal::spherePatches(image)[1].InImage);
+    // The image before the border and beyond it is the same.
+    EXPECT_TRUE(
+      textureToSphere({ 1.02, 0.5 }, image).isApprox(textureToSphere({ 0.98, 0.5 }, image), 5e-3));
+  }
+  EXPECT_TRUE(sphereToTexture(Vector3(1, 1, 0), imageOf(SphereProjection::Square))
+                .isApprox(Vector2(1.0, 1.0), 1e-7));
+}
+
+// Both are conformal: small squares of the image are small squares of the sphere.
+TEST(SphereProjection, DiskAndSquareAreConformal)
+{
+  for (const SphereProjection projection : { SphereProjection::Disk, SphereProjection::Square })
+  {
+    const SphereImage image = imageOf(projection);
+    for (const Vector2& st : { Vector2(0.5, 0.5), Vector2(0.3, 0.62), Vector2(0.7, 0.21) })
+    {
+      constexpr double step = 1e-5;
+      const Vector3 n = textureToSphere(st, image),
+                    right = (textureToSphere(st + Vector2(step, 0), image) - n) / step,
+                    up = (textureToSphere(st + Vector2(0, step), image) - n) / step;
+      EXPECT_NEAR(right.norm() / up.norm(), 1.0, 1e-4);
+      EXPECT_NEAR(right.normalized().dot(up.normalized()), 0.0, 1e-4);
+      EXPECT_GT(right.cross(up).dot(n), 0.0);
+    }
+  }
+}

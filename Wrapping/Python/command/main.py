@@ -105,6 +105,12 @@ def arguments(argv):
     parser.add_argument("--neurons", type=size, metavar="N",
                         help="number of points of the learned mesh; by default, the number of points of the "
                              "scan and their noise determine it, up to 12962; for a geodesic mesh the nearest 10 f^2 + 2")
+    border = parser.add_mutually_exclusive_group()
+    border.add_argument("--open", dest="border", action="store_const", const="Open", default="Automatic",
+                        help="end the surface where the points end, for scans from one side; small holes are filled. By "
+                             "default, the surface is open if more than 22 percent of the closed surface has no points")
+    border.add_argument("--closed", dest="border", action="store_const", const="Closed",
+                        help="close the surface where there are no points")
     parser.add_argument("--points", type=vertices, metavar="N",
                         help="number of points of the surface in each written file, within 2 percent, in [500, "
                              "10000002]. Points that are duplicated where a picture is cut are counted, too; "

@@ -33,14 +33,27 @@ def learned_mesh(scan, options):
     getattr(network, "SetMeshTypeTo" + options.mesh_type.capitalize())()
     if options.neurons is not None:
         network.SetNumberOfNeurons(options.neurons)
+    getattr(network, "SetBorderTo" + options.border)()
     return network
+
+
+def is_open(mesh):
+    """Whether a learned mesh has a border."""
+    borders = mesh.GetOutputDataObject(0).GetFieldData().GetArray("NumberOfBorders")
+    return borders is not None and borders.GetValue(0) > 0
 
 
 def texture_map(surface, options, all_around):
     """The filter that lays a texture on a surface, in its middle what the viewer sees first.
 
-    One that shows the whole surface goes all around it, a picture lies on one side.
+    One that shows the whole surface goes all around it, a picture lies on one side. On a surface with a border, each
+    picture shows the whole surface.
     """
+    if is_open(surface.GetInputAlgorithm(0, 0)):
+        painted = vtkSphericalTextureMap()
+        painted.SetInputConnection(surface.GetOutputPort())
+        painted.SetProjectionToSquare()
+        return painted
     painted = vtkSphericalTextureMap()
     painted.SetInputConnection(surface.GetOutputPort())
     painted.SetViewDirection(options.view)
@@ -56,7 +69,10 @@ def smooth_surface(mesh, number, steps):
     """The filter that makes the smooth surface, after it has run; with a number of points unless that is None."""
     surface = vtkCurvedSeamlessSurface()
     surface.SetInputConnection(mesh.GetOutputPort())
-    if number is not None:
+    if number is not None and is_open(mesh):
+        points = mesh.GetOutputDataObject(0).GetNumberOfPoints()
+        surface.SetSubdivisions(max(1, round((number / points) ** 0.5)))
+    elif number is not None:
         sphere = vtkAdaptiveSphere()
         sphere.SetInputConnection(mesh.GetOutputPort())
         sphere.SetNumberOfPoints(number)

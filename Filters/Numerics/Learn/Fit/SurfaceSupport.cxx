@@ -1,6 +1,6 @@
 #include "Learn/Fit/SurfaceSupport.h"
 
-#include "Cloud/SampleRotation.h"
+#include "Cloud/SampleSpacing.h"
 #include "Search/PointTree.h"
 
 #include <Eigen/Eigenvalues>
@@ -76,21 +76,6 @@ private:
   const PointTree& Tree;
   std::vector<Neighbor> Around;
 };
-
-/// Select the given number of patterns, evenly spaced; all ranks return equal ones.
-Points selection(const TrainingSamples& samples, Index wanted)
-{
-  SampleRotation rotation(samples, 1);
-  rotation.turn(wanted);
-  std::vector<double> own;
-  for (Index i = 0; i < rotation.count(); ++i)
-  {
-    const Vector3 x = samples[rotation.id(i)];
-    own.insert(own.end(), x.data(), x.data() + 3);
-  }
-  const std::vector<double> all = gather(samples.reduce(), own);
-  return Eigen::Map<const Points>(all.data(), static_cast<Index>(all.size()) / 3, 3);
-}
 }
 
 std::vector<bool> unsupportedVertices(const Points& positions, const Triangles& triangles,
@@ -241,110 +226,8 @@ double unsupportedFraction(const TrainingSamples& samples, const Points& positio
   return std::find(bare.begin(), bare.end(), true) == bare.end()
     ? 0.0
     : areaFraction(positions, triangles,
-        farFromPatterns(positions, bare, selection(samples, PatternsPerNeuron * positions.rows())));
-}
-
-namespace
-{
-/// Spacing of patterns around one of them, in any direction along the surface.
-class PatternSpacing
-{
-public:
-  explicit PatternSpacing(const Points& patterns)
-    : Patterns(patterns)
-    , Tree(patterns)
-  {
-  }
-
-  Neighbor nearest(const Vector3& place) const { return this->Tree.nearest(place); }
-
-  double at(Index pattern, std::vector<Neighbor>& around) const
-  {
-    // On a scan line, the nearest patterns are collinear: increase their number until some lie
-    // beside the line.
-    constexpr int minimum = 6, maximum = 6 * 4 * 4 * 2, growth = 4;
-    constexpr double flattest = 0.03; // of the widths' squares
-    const Vector3 place = this->Patterns.row(pattern);
-    double spacing = 0.0;
-    for (int count = minimum; count <= maximum; count *= growth)
-    {
-      this->Tree.nearest(place, count + 1, around);
-      Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-      for (const Neighbor& neighbor : around)
-      {
-        const Vector3 way = Vector3(this->Patterns.row(neighbor.Id)) - place;
-        spread += way * way.transpose();
-      }
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
-      axes.computeDirect(spread, Eigen::EigenvaluesOnly);
-      spacing = std::sqrt(around.back().SquareDistance);
-      if (axes.eigenvalues()[1] >= flattest * axes.eigenvalues()[2])
-      {
-        break;
-      }
-    }
-    return spacing;
-  }
-
-private:
-  const Points& Patterns;
-  PointTree Tree;
-};
-
-/// Return a smooth step from 1 at 0 to 0 at 1 and beyond, with zero derivatives at both.
-double fall(double x)
-{
-  const double t = std::clamp(x, 0.0, 1.0);
-  return 1.0 - t * t * (3.0 - 2.0 * t);
-}
-}
-
-std::vector<double> supportOfVertices(const TrainingSamples& samples, const Points& positions,
-  const Triangles& triangles, const Run& run)
-{
-  constexpr double near = 2.0, far = 4.0; // spacings
-  constexpr double widest = 4.0;          // maximum in typical spacings; larger ones are outliers
-  constexpr int smoothings = 2;
-  constexpr Index blockSize = 256;
-  const Index size = positions.rows();
-  const Points patterns = selection(samples, PatternsPerNeuron * size);
-  const PatternSpacing spacing(patterns);
-  std::vector<double> distances(size), spacings(size), support(size), smoother(size);
-  forBlocksReporting(run, size, blockSize,
-    [&](Index begin, Index end)
-    {
-      std::vector<Neighbor> around;
-      for (Index i = begin; i < end; ++i)
-      {
-        const Neighbor nearest = spacing.nearest(positions.row(i));
-        distances[i] = std::sqrt(nearest.SquareDistance);
-        spacings[i] = spacing.at(nearest.Id, around);
-      }
-    });
-  std::vector<double> sorted = spacings;
-  std::nth_element(sorted.begin(), sorted.begin() + size / 2, sorted.end());
-  const double limit = widest * sorted[size / 2];
-  for (Index i = 0; i < size; ++i)
-  {
-    const double unit = std::min(spacings[i], limit);
-    support[i] =
-      unit > 0.0 ? fall((distances[i] / unit - near) / (far - near)) : double(distances[i] == 0.0);
-  }
-  const Adjacency neighbors = vertexNeighbors(triangles, size);
-  for (int pass = 0; pass < smoothings; ++pass)
-  {
-    for (Index i = 0; i < size; ++i)
-    {
-      double sum = support[i];
-      for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
-      {
-        sum += support[*j];
-      }
-      smoother[i] = sum / (1.0 + neighbors.size(i));
-    }
-    support.swap(smoother);
-  }
-  return support;
+        farFromPatterns(
+          positions, bare, selectedSamples(samples, PatternsPerNeuron * positions.rows())));
 }
 
 double obtuseFraction(const Points& positions, const Triangles& triangles)

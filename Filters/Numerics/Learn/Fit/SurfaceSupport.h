@@ -72,20 +72,6 @@ double areaFraction(
 double unsupportedFraction(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, const std::vector<double>& masses);
 
-/// Compute the support of each vertex by nearby patterns. Let s be the spacing of patterns near the
-/// vertex. If the nearest pattern is closer than 2 s, the support is 1. If the nearest pattern is
-/// farther than 4 s, the support is 0. In between, the support changes smoothly. Finally, the
-/// support is smoothed over the mesh.
-///
-/// If the patterns are on scan lines, s is the spacing of the lines. All ranks return the same
-/// values.
-/// @param[in] positions  #V by 3, in the samples' unit (maximum radius 1)
-/// @param[in] triangles  #F by 3
-/// @return #V values in [0, 1]
-/// @throws Aborted
-std::vector<double> supportOfVertices(const TrainingSamples& samples, const Points& positions,
-  const Triangles& triangles, const Run& run = {});
-
 /// Compute the fraction of triangles with an angle above 90 degrees. If learning began with nearly
 /// equilateral triangles, a large fraction indicates that the mesh was stretched over limbs or
 /// edges.
