@@ -150,7 +150,8 @@ class Surface:
 
         image: a PNG or JPEG file of up to 2^28 pixels, or an array of rows x columns x 3 or 4 bytes, first row
         on top. A separate process decodes files.
-        area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5. With
+        area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5. Not used
+            if the surface has a border. With
         0, the picture is laid by the surface's own map to the sphere. If that map is conformal, the picture is
         not distorted, but long parts of the surface show few of its pixels.
         progress: True for a bar, or a function that gets the completed fraction in [0, 1].
@@ -188,7 +189,10 @@ class Surface:
             raise ValueError("the scan has no colors: pass an array of n x 3 bytes as colors")
         if texture_size is not None and not 1 <= texture_size <= 16384:
             raise ValueError(f"texture_size is {texture_size}, but must be in [1, 16384]")
-        placement = {"projection": "Octahedral", "margin": 0.01, "area_balance": area_balance}
+        map_ = self.polydata.GetPointData().GetArray("SpherePosition")
+        has_border = map_ is not None and map_.GetRange(2)[0] >= 0.0  # mapped to a hemisphere
+        placement = {"projection": "Square"} if has_border else {
+            "projection": "Octahedral", "margin": 0.01, "area_balance": area_balance}
         painted = self._filtered("vtkSphericalTextureMap", False, placement)
         source = vtkTrivialProducer()
         source.SetOutput(painted.polydata)

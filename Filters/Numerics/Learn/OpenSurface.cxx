@@ -7,6 +7,7 @@
 #include "Learn/Fit/SurfaceSupport.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Search/PointTree.h"
+#include "SphereMap/Sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,29 @@ std::vector<bool> bareVerticesOf(const std::vector<double>& support)
 }
 }
 
+namespace
+{
+/// Split edges between vertices of the border. In the map, the border is a great circle, so that
+/// such an edge would be on the border.
+void splitChords(ConformalSOMResult& result)
+{
+  SplitSheet split =
+    withSplitChords(result, borderVertices(result.Triangles, result.Positions.rows()));
+  for (std::vector<double>* values : { &result.Supported, &result.StandardError })
+  {
+    for (const auto& [first, second] : split.Ends)
+    {
+      if (!values->empty())
+      {
+        values->push_back(0.5 * ((*values)[first] + (*values)[second]));
+      }
+    }
+  }
+  result.Positions = std::move(split.Positions);
+  result.Triangles = std::move(split.Triangles);
+}
+}
+
 bool openSurface(const TrainingSamples& samples, const BorderOptions& options,
   ConformalSOMResult& result, const Run& run)
 {
@@ -105,6 +129,7 @@ bool openSurface(const TrainingSamples& samples, const BorderOptions& options,
   result.StandardError = interpolated(result.StandardError, sheet.Vertices);
   result.Positions = sheet.Positions;
   result.Triangles = sheet.Triangles;
+  splitChords(result);
   polishBorder(result.Positions, result.Triangles, near, run.unwatched());
   result.OpenFraction = parts.Fraction;
   result.DroppedFraction = parts.IslandFraction + sheet.DroppedFraction;

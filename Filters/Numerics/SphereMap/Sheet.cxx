@@ -117,7 +117,7 @@ Mesh withFilledHoles(const Mesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-Mesh withSplitChords(const Mesh& mesh, const std::vector<char>& border)
+SplitSheet withSplitChords(const Mesh& mesh, const std::vector<char>& border)
 {
   std::map<Ends, int> middles; // of chords; an edge of the border has one triangle
   int count = static_cast<int>(mesh.Positions.rows());
@@ -128,11 +128,12 @@ Mesh withSplitChords(const Mesh& mesh, const std::vector<char>& border)
       middles[ends] = count++;
     }
   }
-  Mesh result;
+  SplitSheet result;
   result.Positions.resize(count, 3);
   result.Positions.topRows(mesh.Positions.rows()) = mesh.Positions;
   for (const auto& [ends, id] : middles)
   {
+    result.Ends.push_back(ends);
     result.Positions.row(id) =
       0.5 * (mesh.Positions.row(ends.first) + mesh.Positions.row(ends.second));
   }

@@ -7,6 +7,7 @@
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -24,7 +25,11 @@ Mesh withFilledHoles(const Mesh& mesh);
 /// chord would otherwise have no area. New vertices follow the old ones, and old vertices keep
 /// their ids.
 /// @param[in] border  result of borderVertices()
-Mesh withSplitChords(const Mesh& mesh, const std::vector<char>& border);
+struct SplitSheet : Mesh
+{
+  std::vector<std::pair<int, int>> Ends; ///< ends of the chord of each new vertex
+};
+SplitSheet withSplitChords(const Mesh& mesh, const std::vector<char>& border);
 
 /// Glue a sheet to a copy of it, along the border. The vertices of the sheet come first. Copies of
 /// the vertices inside follow, in the same sequence. Triangles of the sheet come first; those of

@@ -43,26 +43,24 @@ def is_open(mesh):
     return borders is not None and borders.GetValue(0) > 0
 
 
-def texture_map(surface, options, all_around):
-    """The filter that lays a texture on a surface, in its middle what the viewer sees first.
-
-    One that shows the whole surface goes all around it, a picture lies on one side. On a surface with a border, each
-    picture shows the whole surface.
-    """
-    if is_open(surface.GetInputAlgorithm(0, 0)):
-        painted = vtkSphericalTextureMap()
-        painted.SetInputConnection(surface.GetOutputPort())
-        painted.SetProjectionToSquare()
-        return painted
+def texture_map(surface, options, projection):
+    """The filter that lays a texture on a surface, in its middle what the viewer sees first."""
     painted = vtkSphericalTextureMap()
     painted.SetInputConnection(surface.GetOutputPort())
+    getattr(painted, "SetProjectionTo" + projection)()
+    if projection == "Square":
+        return painted
     painted.SetViewDirection(options.view)
     painted.SetViewUp(options.up)
     painted.SetAreaBalance(AREA_BALANCE if options.texture_map == "balanced" else 0.0)
-    if all_around:
-        painted.SetProjectionToOctahedral()
+    if projection == "Octahedral":
         painted.SetMargin(0.01)
     return painted
+
+
+def projection_for(mesh, shows_all):
+    """The projection of a picture, from one side or of the whole surface, closed or with a border."""
+    return "Square" if is_open(mesh) else "Octahedral" if shows_all else "Stereographic"
 
 
 def smooth_surface(mesh, number, steps):
@@ -82,9 +80,9 @@ def smooth_surface(mesh, number, steps):
     return surface
 
 
-def cut_surface(result, options, steps, all_around):
+def cut_surface(result, options, steps, projection):
     """The filter that cuts a surface along its picture, after it has run."""
-    cut = texture_map(result, options, all_around)
+    cut = texture_map(result, options, projection)
     cut.SplitSeamOn()  # for programs that draw each triangle as it is
     steps.run("Cut along the picture", cut)
     return cut
@@ -203,7 +201,8 @@ def make_surface(task, texture, options, steps):
     steps.run("Learn the mesh", network)
     surface = smooth_surface(network, options.points, steps)
     all_around = colors is not None or options.normal_map
-    painted = texture_map(surface, options, all_around)
+    projection = projection_for(network, all_around)
+    painted = texture_map(surface, options, projection)
     steps.run("Lay the texture", painted)
 
     mesh, result = network, painted
@@ -215,13 +214,13 @@ def make_surface(task, texture, options, steps):
     if texture is not None or all_around:
         def cut_anew(number):
             made_anew.append(smooth_surface(network, number, steps))
-            return cut_surface(made_anew[-1], options, steps, all_around)
-        cut = cut_surface(result, options, steps, all_around)
+            return cut_surface(made_anew[-1], options, steps, projection)
+        cut = cut_surface(result, options, steps, projection)
         if options.points is not None:
             cut = cut_to_number(cut, options.points, cut_anew)
         if made_anew and (options.measure or options.report):
             measured = report.measured(steps, "surface", made_anew[-1], scan)
-            cut = cut_surface(measured, options, steps, all_around)
+            cut = cut_surface(measured, options, steps, projection)
         expect_number(cut, options, steps)
     if colors is not None:
         texture = scan_colors.baked(cut, points, colors, options.texture_size)
@@ -231,12 +230,12 @@ def make_surface(task, texture, options, steps):
     if options.normal_map:
         drawn.normal_map = details.normal_map(cut, smooth_surface(network, None, steps), steps)
     if made_anew and options.levels > 1:  # whose picture the levels share
-        painted = texture_map(made_anew[-1], options, all_around)
+        painted = texture_map(made_anew[-1], options, projection)
         steps.run("Lay the texture", painted)
     for number in details.numbers_of_points(options):
         def level(count):
             surface = details.with_picture_of(painted, smooth_surface(network, count, steps), steps)
-            return cut_surface(surface, options, steps, all_around)
+            return cut_surface(surface, options, steps, projection)
         drawn.levels.append(cut_to_number(level(number), number, level))
     write_surfaces(drawn, task, options, steps)
     learned, smoothed, laid = (stage.GetOutputDataObject(0) for stage in (mesh, result, cut))
