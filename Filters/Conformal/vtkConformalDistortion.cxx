@@ -45,6 +45,7 @@ void AddFigures(vtkFieldData* data, const conformal::Distortion& distortion)
   using glue::AddNumber;
   AddNumber(data, "MeanAngleDistortion", distortion.MeanAngleDistortion);
   AddNumber(data, "MeanQuasiConformalError", distortion.MeanQuasiConformalError);
+  AddNumber(data, "MaximumQuasiConformalError", distortion.MaximumQuasiConformalError);
   AddNumber(data, "AreaDistortionDeviation", distortion.AreaDistortionDeviation);
   AddNumber(data, "SphereDegree", distortion.SphereDegree);
   AddNumber(

@@ -23,6 +23,7 @@
  * Field data (one value each), computed over the triangles that have an area both on the surface
  * and on the sphere:
  * - "MeanAngleDistortion", "MeanQuasiConformalError" (double): means of the cell arrays.
+ * - "MaximumQuasiConformalError" (double): maximum of "QuasiConformalError".
  * - "AreaDistortionDeviation" (double): standard deviation of AreaDistortion.
  * - "SphereDegree" (double): number of times that the triangles cover the sphere; 1 for a valid
  *   map. The number is negative if the triangles on the sphere are clockwise seen from outside. For

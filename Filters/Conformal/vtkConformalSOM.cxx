@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Glue/Arrays.h"
+#include "Glue/CloudGround.h"
 #include "Glue/CloudInput.h"
 #include "Glue/CloudNormals.h"
 #include "Glue/CloudWarnings.h"
@@ -11,7 +12,6 @@
 #include "Glue/Processes.h"
 #include "Glue/Run.h"
 #include "Learn/ConformalSOM.h"
-#include "Measure/Distortion.h"
 #include "Surface/VertexShift.h"
 
 #include "vtkDoubleArray.h"
@@ -239,6 +239,35 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
   }
 }
 
+// Warn if the map of a solid object is not conformal.
+void WarnOfMap(vtkConformalSOM* self, const conformal::ConformalSOMResult& result, bool isSolid)
+{
+  constexpr double tolerated = 1.3; // meshes of clean scans have 1.2 or less
+  if (!isSolid || !result.HasConformalMap)
+  {
+    return;
+  }
+  const double error = result.MeanQuasiConformalError;
+  if (!result.ConformalMapFits)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "limbs are too long for a conformal map in double precision; "
+               "SpherePosition is one to one, but its mean quasi-conformal "
+               "error is "
+            << error << ", where 1 is conformal");
+  }
+  else if (error > tolerated)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the map to the sphere is not conformal: its mean "
+               "quasi-conformal error is "
+            << error
+            << ", where 1 is conformal. Parts of the mesh are joined by a "
+               "thread, or have thin triangles. Learn with other numbers of "
+               "neurons, or remove outliers");
+  }
+}
+
 // Warn of defects of the result, and of defects of the points that learning has detected.
 void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples)
@@ -292,16 +321,14 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
                                     << " % of the mesh area has no points nearby (holes in the "
                                        "data, or gaps between limbs). See array Supported");
   }
-  if (!result.ConformalMapFits && samples.dimension() == 3)
+  WarnOfMap(self, result, samples.dimension() == 3);
+  if (result.SelfIntersections > 0)
   {
-    const double error =
-      conformal::measureDistortion(result.Positions, result.Triangles, result.SpherePositions)
-        .MeanQuasiConformalError;
     vtkWarningWithObjectMacro(
-      self, << "limbs are too long for a conformal map in double precision; "
-               "SpherePosition is one to one, but its mean quasi-conformal "
-               "error is "
-            << error << ", where 1 is conformal");
+      self, << result.SelfIntersections
+            << " pairs of triangles cross each other: parts of the surface "
+               "are closer together than its triangles are long. Learn with "
+               "more neurons");
   }
   WarnAbout(self, conformal::withoutLeftOut(result.Quality, result.NumberOfSamplesOutside, size));
 }
@@ -343,6 +370,9 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "UncoveredFraction", result.Quality.UncoveredFraction);
   AddNumber(data, "InvertedFraction", result.Quality.InvertedFraction);
   AddNumber(data, "FoldedFraction", result.Quality.FoldedFraction);
+  AddNumber(data, "MeanQuasiConformalError", result.MeanQuasiConformalError);
+  AddNumber(data, "MaximumQuasiConformalError", result.MaximumQuasiConformalError);
+  AddNumber(data, "SelfIntersections", static_cast<long long>(result.SelfIntersections));
   AddNumber(data, "AreaRatio", result.AreaRatio);
   AddNumber(data, "UndersampledFraction", result.Quality.UndersampledFraction);
   glue::AddLengths(data, "NoiseLevel", { result.Noise * samples.scale() }, frame);
@@ -488,6 +518,7 @@ int vtkConformalSOM::RequestData(
   conformal::ConformalSOMOptions options = OptionsOf(this, stages);
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
   const bool inPieces = this->DistributeOutput;
+  const auto removeGround = static_cast<conformal::RemoveGround>(this->RemoveGround);
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
@@ -500,13 +531,18 @@ int vtkConformalSOM::RequestData(
       conformal::Steps steps(processes.run(), { 0.01, 0.01, 0.02, 0.9, 0.02, 0.02, 0.01 });
       conformal::TrainingSamples samples(
         cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
-      steps.next();
+      const vtkIdType ofGround =
+        glue::LeaveGroundOut(removeGround, cloud, priorities, samples, steps.next().unwatched());
       glue::CloudNormals normals;
       SetNormals(input, cloud.Frame, options, samples, normals);
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
         glue::WarnOfFarPoints(this, cloud.Far);
+        if (ofGround > 0)
+        {
+          glue::WarnOfGround(this, ofGround, ofGround + samples.totalSize());
+        }
       }
       if (!samples.empty())
       {
@@ -514,6 +550,8 @@ int vtkConformalSOM::RequestData(
           StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
         const auto result = Learn(this, samples, options, mesh, processes, steps.next());
         const auto surface = SurfaceOf(result, samples, options, cloud.Frame, steps);
+        glue::AddNumber(
+          surface->GetFieldData(), "NumberOfGroundPoints", static_cast<long long>(ofGround));
         SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());
         steps.next();
         glue::KeepOwnShare(surface, inPieces, processes);
@@ -550,6 +588,8 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   static const char* const borders[] = { "Automatic", "Closed", "Open" };
   os << indent << "Border: " << borders[this->Border] << "\n";
   os << indent << "HoleSize: " << this->HoleSize << "\n";
+  static const char* const grounds[] = { "Automatic", "Off", "On" };
+  os << indent << "RemoveGround: " << grounds[this->RemoveGround] << "\n";
   os << indent << "GenerateStages: " << (this->GenerateStages ? "On" : "Off") << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

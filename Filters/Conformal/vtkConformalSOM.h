@@ -52,6 +52,8 @@
  *   see the property Border.
  * - field data "OpenFraction" (1 value): fraction of the area of the closed mesh that was removed
  *   beyond the borders; 0 if the mesh is closed.
+ * - field data "NumberOfGroundPoints" (1 value): number of points that were left out as the ground
+ *   and what else stands on it, see the property RemoveGround.
  * - field data "UncoveredFraction" (1 value): fraction of the input points that are far from the
  *   mesh. Each point is weighted by the surface area that it represents. Outliers, which are far
  *   from all other points, are not counted.
@@ -67,6 +69,12 @@
  *   is more than 0.02 R.
  * - field data "LayerDistance" (1 value): distance between two layers of input points, as in badly
  *   registered scans, in the unit of the coordinates; 0 if the points form one layer.
+ * - field data "MeanQuasiConformalError" and "MaximumQuasiConformalError" (1 value each): mean and
+ *   maximum of the ratio of the largest to the smallest stretch of the triangles of the mesh by the
+ *   map to the sphere, see vtkConformalDistortion. 1 for a conformal map.
+ * - field data "SelfIntersections" (1 value): number of pairs of triangles of an adaptive mesh that
+ *   cross each other and have no common vertex. The mesh is smoothed where triangles cross, so that
+ *   the value is usually 0.
  * - field data "AreaRatio" (1 value): area of the mesh, divided by the area of the surface before
  *   the least-squares fit (last step of BATCH learning). A value well above 1 means that the mesh
  *   is crumpled.
@@ -194,6 +202,13 @@ public:
     AUTOMATIC_BORDER = 0,
     CLOSED = 1,
     OPEN = 2
+  };
+
+  enum GroundRemovals
+  {
+    AUTOMATIC_GROUND = 0,
+    KEEP_GROUND = 1,
+    REMOVE_GROUND = 2
   };
 
   enum ReferencePoints
@@ -450,6 +465,24 @@ public:
 
   ///@{
   /**
+   * Whether the ground under the object is left out: a floor, a table, or a wall, and other objects
+   * on it. AUTOMATIC_GROUND (default): if there is a plane with a tenth of the points or more, no
+   * points below it, and 40 % or more of its area on three or four sides of the object, and if the
+   * object is high enough to be no relief. A flat side of the object, or a plinth, is not a ground.
+   * KEEP_GROUND: never. REMOVE_GROUND: the largest plane of the points is left out.
+   *
+   * The object is the largest connected part above the plane. If points are left out, there is a
+   * warning, and the field data "NumberOfGroundPoints" has their number.
+   */
+  vtkSetClampMacro(RemoveGround, int, AUTOMATIC_GROUND, REMOVE_GROUND);
+  vtkGetMacro(RemoveGround, int);
+  void SetRemoveGroundToAutomatic() { this->SetRemoveGround(AUTOMATIC_GROUND); }
+  void SetRemoveGroundToOff() { this->SetRemoveGround(KEEP_GROUND); }
+  void SetRemoveGroundToOn() { this->SetRemoveGround(REMOVE_GROUND); }
+  ///@}
+
+  ///@{
+  /**
    * Whether output port 2 has the intermediate surfaces of learning: the start, each level or turn,
    * the fit, and the result. A level is one network of the sequence of batch learning. A turn is
    * one fit, followed by a remeshing. Each surface has field data about its quality. Use these
@@ -513,6 +546,7 @@ private:
   int HullMethod = AUTOMATIC_METHOD;
   int Border = AUTOMATIC_BORDER;
   double HoleSize = 0.0;
+  int RemoveGround = AUTOMATIC_GROUND;
   bool GenerateStages = false;
   vtkMultiProcessController* Controller = nullptr;
   bool DistributeOutput = false;

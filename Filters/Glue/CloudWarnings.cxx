@@ -36,6 +36,15 @@ void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index
 }
 
 //------------------------------------------------------------------------------
+void WarnOfGround(vtkObject* self, conformal::Index count, conformal::Index total)
+{
+  vtkWarningWithObjectMacro(
+    self, << "the object stands on a plane; " << count << " of " << total
+          << " points are left out as ground and other objects. To use them, set RemoveGround to "
+             "KEEP_GROUND");
+}
+
+//------------------------------------------------------------------------------
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total)
 {
   vtkWarningWithObjectMacro(self,

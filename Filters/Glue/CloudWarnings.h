@@ -18,6 +18,8 @@ void WarnOfCutHandles(vtkObject* self, double cutFraction);
 void WarnOfUnusedNormals(vtkObject* self);
 /// Warn that some points are outside of the hull and far from it: outliers, or separate parts.
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
+/// Warn that the ground under the object was left out.
+void WarnOfGround(vtkObject* self, conformal::Index count, conformal::Index total);
 /// Warn that some points are inside the hull and far from its surface: inner parts, or outliers.
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total);
 }

@@ -1,5 +1,6 @@
 #include "vtkConformalSOM.h"
 
+#include "Cloud/GroundPlane.h"
 #include "FuzzFilter.h"
 #include "Learn/ConformalSOMOptions.h"
 #include "Mesh/GeodesicSphere.h"
@@ -43,7 +44,7 @@ std::vector<Mode> Modes()
     Integer("FitIterations", &F::SetFitIterations), Number("Smoothness", &F::SetSmoothness),
     Integer("StartingShape", &F::SetStartingShape), Integer("HullMethod", &F::SetHullMethod),
     Integer("MeshType", &F::SetMeshType), Integer("Border", &F::SetBorder),
-    Switch("GenerateStages", &F::SetGenerateStages),
+    Integer("RemoveGround", &F::SetRemoveGround), Switch("GenerateStages", &F::SetGenerateStages),
     Switch("DistributeOutput", &F::SetDistributeOutput),
     Vector4("OnlineConstants", &F::SetOnlineConstants, { 0.4, 20.0, 0.01, 60.0 }) };
   Mode adaptive = QuickMode("Adaptive", one,
@@ -181,6 +182,7 @@ void Fuzz(fuzz::FilterSource& source)
     learner->SetMeshTypeToAdaptive();
     learner->SetNumberOfNeurons(12 + source.below(60));
     learner->SetBorder(source.below(3));
+    learner->SetRemoveGround(source.below(3));
   }
   learner->SetInputDataObject(0, source.surface());
   if (odd & 128)
@@ -202,6 +204,7 @@ std::vector<Mirror> Mirrors()
   using conformal::HullMethod;
   using conformal::MeshType;
   using conformal::ReferencePoint;
+  using conformal::RemoveGround;
   using conformal::StartingShape;
   using conformal::TrainingMode;
   return { Same("MeshType", filter->GetMeshType(), static_cast<int>(options.MeshType)),
@@ -227,6 +230,10 @@ std::vector<Mirror> Mirrors()
     Same("HullMethod", filter->GetHullMethod(), static_cast<int>(options.HullMethod)),
     Same("Border", filter->GetBorder(), static_cast<int>(options.Opening.Border)),
     Same("HoleSize", filter->GetHoleSize(), options.Opening.HoleSize),
+    Same("AUTOMATIC_GROUND", vtkConformalSOM::AUTOMATIC_GROUND,
+      static_cast<int>(RemoveGround::Automatic)),
+    Same("KEEP_GROUND", vtkConformalSOM::KEEP_GROUND, static_cast<int>(RemoveGround::Off)),
+    Same("REMOVE_GROUND", vtkConformalSOM::REMOVE_GROUND, static_cast<int>(RemoveGround::On)),
     Same(
       "AUTOMATIC_BORDER", vtkConformalSOM::AUTOMATIC_BORDER, static_cast<int>(Border::Automatic)),
     Same("CLOSED", vtkConformalSOM::CLOSED, static_cast<int>(Border::Closed)),

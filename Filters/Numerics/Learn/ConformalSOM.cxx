@@ -6,11 +6,13 @@
 #include "Cloud/FootPoints.h"
 #include "Cloud/SampleRotation.h"
 #include "Learn/FirstSurface.h"
+#include "Learn/Fit/Untangling.h"
 #include "Learn/Fit/VertexSupport.h"
 #include "Learn/NeuronSearch.h"
 #include "Learn/Online/OnlineTraining.h"
 #include "Learn/OpenSurface.h"
 #include "Learn/StartSearch.h"
+#include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/Resampling.h"
@@ -202,14 +204,16 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   checkStart(options, mesh);
   run.report(0.0);
   const bool isGeodesic = meshTypeFor(options, samples) == MeshType::Geodesic;
-  // Progress: learning, conformal map.
-  Steps steps(run, { isGeodesic ? 1.0 : 0.8, isGeodesic ? 0.0 : 0.2 });
+  // Progress: learning, removal of self-intersections, conformal map.
+  Steps steps(run, { isGeodesic ? 1.0 : 0.79, isGeodesic ? 0.0 : 0.01, isGeodesic ? 0.0 : 0.2 });
   ConformalSOMResult result = options.TrainingMode == TrainingMode::Online
     ? learnOnline(samples, options, mesh, steps.next())
     : learnWithNeurons(samples, options, mesh, steps.next());
   if (!isGeodesic)
   {
     const bool isOwnMesh = result.FromMesh && mesh->SpherePositions.rows() == 0;
+    const Run untangling = steps.next();
+    result.SelfIntersections = untangle(result.Positions, result.Triangles, untangling);
     BorderOptions opening = options.Opening;
     // The triangles of the input define the surface between its points. Flat points have no inside.
     if (isOwnMesh || samples.dimension() < 3)
@@ -218,6 +222,11 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
     }
     openAndMap(samples, opening, result, steps.next());
   }
+  const Distortion distortion =
+    measureDistortion(result.Positions, result.Triangles, result.SpherePositions, run.unwatched());
+  result.MeanQuasiConformalError = distortion.MeanQuasiConformalError;
+  result.MaximumQuasiConformalError = distortion.MaximumQuasiConformalError;
+  result.HasConformalMap = !isGeodesic;
   result.Positions = samples.restoreAll(std::move(result.Positions));
   run.report(1.0);
   return result;

@@ -124,6 +124,8 @@ void summarize(Distortion& result, const Measured& measured)
     result.AreaDistortion[r] = log;
     angles += result.AngleDistortion[r];
     errors += result.QuasiConformalError[r];
+    result.MaximumQuasiConformalError =
+      std::max(result.MaximumQuasiConformalError, result.QuasiConformalError[r]);
     logs += log;
     ++count;
   }

@@ -26,6 +26,7 @@ struct Distortion
   std::vector<double> QuasiConformalError;
   double MeanAngleDistortion = 0.0;
   double MeanQuasiConformalError = 1.0;
+  double MaximumQuasiConformalError = 1.0;
   double AreaDistortionDeviation = 0.0; ///< standard deviation of AreaDistortion
   /// Number of times that the map covers the sphere, usually 1. If the map is mirrored, the number
   /// is negative.

@@ -1,0 +1,160 @@
+#include "Search/SelfIntersections.h"
+
+#include "Search/BoxTree.h"
+
+#include <algorithm>
+
+namespace conformal
+{
+namespace
+{
+constexpr Index BlockSize = 256;
+
+bool overlap(const Box& a, const Box& b)
+{
+  return (a.Lower.array() <= b.Upper.array()).all() && (b.Lower.array() <= a.Upper.array()).all();
+}
+
+/// Six times the volume of the tetrahedron a, b, c, d.
+double volume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+using Corners = std::array<Vector3, 3>;
+
+/// Test whether the segment p, q passes through the interior of a triangle.
+bool pierces(const Vector3& p, const Vector3& q, const Corners& t)
+{
+  if (volume(t[0], t[1], t[2], p) * volume(t[0], t[1], t[2], q) >= 0.0)
+  {
+    return false;
+  }
+  const double a = volume(p, q, t[0], t[1]), b = volume(p, q, t[1], t[2]),
+               c = volume(p, q, t[2], t[0]);
+  return (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0);
+}
+
+bool cross(const Corners& a, const Corners& b)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (pierces(a[k], a[next(k)], b) || pierces(b[k], b[next(k)], a))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+class Search
+{
+public:
+  Search(const Points& positions, const Triangles& triangles, const Run& run)
+    : Positions(positions)
+    , Ids(triangles)
+    , Boxes(triangles.rows())
+  {
+    forBlocks(run, triangles.rows(), BlockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index f = begin; f < end; ++f)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            this->Boxes[f].extend(Vector3(positions.row(triangles(f, k))));
+          }
+        }
+      });
+    this->Tree = buildBoxTree(this->Boxes, run.unwatched());
+  }
+
+  /// Append the pairs of a triangle with triangles of larger ids.
+  void find(int triangle, std::vector<std::array<int, 2>>& pairs, std::vector<int>& open) const
+  {
+    open.assign(1, 0);
+    const std::size_t first = pairs.size();
+    while (!open.empty())
+    {
+      const int at = open.back();
+      open.pop_back();
+      const BoxTree::Node& node = this->Tree.Nodes[at];
+      if (!overlap(node.Bounds, this->Boxes[triangle]))
+      {
+        continue;
+      }
+      if (node.Count == 0)
+      {
+        open.push_back(at + 1);
+        open.push_back(node.Second);
+        continue;
+      }
+      for (int i = node.First; i < node.First + node.Count; ++i)
+      {
+        const int other = this->Tree.Items[i];
+        if (other > triangle && overlap(this->Boxes[other], this->Boxes[triangle]) &&
+          !this->touch(triangle, other) && cross(this->cornersOf(triangle), this->cornersOf(other)))
+        {
+          pairs.push_back({ triangle, other });
+        }
+      }
+    }
+    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end());
+  }
+
+private:
+  bool touch(int a, int b) const
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int m = 0; m < 3; ++m)
+      {
+        if (this->Ids(a, k) == this->Ids(b, m))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  Corners cornersOf(int triangle) const
+  {
+    return { this->Positions.row(this->Ids(triangle, 0)),
+      this->Positions.row(this->Ids(triangle, 1)), this->Positions.row(this->Ids(triangle, 2)) };
+  }
+
+  const Points& Positions;
+  const Triangles& Ids;
+  std::vector<Box> Boxes;
+  BoxTree Tree;
+};
+}
+
+std::vector<std::array<int, 2>> selfIntersections(
+  const Points& positions, const Triangles& triangles, const Run& run)
+{
+  std::vector<std::array<int, 2>> all;
+  if (triangles.rows() == 0)
+  {
+    return all;
+  }
+  const Search search(positions, triangles, run);
+  std::vector<std::vector<std::array<int, 2>>> blocks(
+    (triangles.rows() + BlockSize - 1) / BlockSize);
+  forBlocksReporting(run, triangles.rows(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      std::vector<int> open;
+      for (Index f = begin; f < end; ++f)
+      {
+        search.find(static_cast<int>(f), blocks[begin / BlockSize], open);
+      }
+    });
+  for (const auto& block : blocks)
+  {
+    all.insert(all.end(), block.begin(), block.end());
+  }
+  return all;
+}
+}
