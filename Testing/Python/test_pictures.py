@@ -95,6 +95,18 @@ def turned_map(surface):
     return turned
 
 
+def scan_from_front(scan, cell=0.05, depth=0.15):
+    """The points that are seen against the axis z: those near the frontmost one of each square cell."""
+    points = vtk_to_numpy(scan.GetPoints().GetData())
+    _, cells = np.unique(np.floor(points[:, :2] / cell), axis=0, return_inverse=True)
+    front = np.full(cells.max() + 1, -np.inf)
+    np.maximum.at(front, cells.ravel(), points[:, 2])
+    seen = vtkPolyData()
+    seen.SetPoints(vtkPoints())
+    seen.GetPoints().SetData(numpy_to_vtk(points[points[:, 2] > front[cells.ravel()] - depth], deep=True))
+    return seen
+
+
 def bear_with_handles():
     """The bear with a ring in its hands, and a hole through it."""
     def distance(p):
@@ -313,6 +325,32 @@ class TestPictures(unittest.TestCase):
             pictures.scene(pictures.cloud_actor(seen, behind), "Scan, from behind", camera()),
             pictures.scene(colored, "Supported", camera()),
             pictures.scene(pictures.actor_of(cut.GetOutput()), "At least 0.5", camera())))
+
+    def test_seen_from_one_side(self):
+        """The front of the bear: the scan, the closed surface, the one with a border, and a checkerboard on the disk."""
+        seen = scan_from_front(figure_cloud(40000))
+        learner = vtkConformalSOM()
+        learner.SetInputData(seen)
+        surfaces = []
+        for border in ("Closed", "Open"):
+            getattr(learner, "SetBorderTo" + border)()
+            surface = vtkCurvedSeamlessSurface()
+            surface.SetInputConnection(learner.GetOutputPort())
+            surface.Update()
+            surfaces.append(surface.GetOutput())
+        painted = vtkSphericalTextureMap()
+        painted.SetInputData(surfaces[1])
+        painted.SetProjectionToSquare()
+        painted.Update()
+        self.assertEqual(vtk_to_numpy(painted.GetOutput().GetPointData().GetArray("OutsideImage")).max(), 0)
+        camera = lambda: self.camera(60)
+        side = (np.sin(np.radians(60)), 0, np.cos(np.radians(60)))
+        self.expect_row("OneSide", (
+            pictures.scene(pictures.cloud_actor(seen, side), "Scan from the front", camera()),
+            pictures.scene(pictures.actor_of(surfaces[0]), "Closed", camera()),
+            pictures.scene(pictures.actor_of(surfaces[1]), "Open", camera()),
+            pictures.scene(pictures.textured_actor(painted.GetOutput(), textures.checkerboard()), "Square",
+                           camera())))
 
     def test_checkerboard_by_the_conformal_map(self):
         self.expect_actor(

@@ -37,22 +37,46 @@ DisjointSets connected(const Mesh& mesh, const std::vector<char>& marks)
   return sets;
 }
 
-/// Mark all unmarked vertices but those of the largest connected part.
+/// Add the neighbors of marked vertices.
+std::vector<char> widened(const Mesh& mesh, const std::vector<char>& marks)
+{
+  std::vector<char> wider = marks;
+  for (Index f = 0; f < mesh.Triangles.rows(); ++f)
+  {
+    const auto ids = mesh.Triangles.row(f);
+    if (marks[ids[0]] || marks[ids[1]] || marks[ids[2]])
+    {
+      wider[ids[0]] = wider[ids[1]] = wider[ids[2]] = 1;
+    }
+  }
+  return wider;
+}
+
+/// Mark all unmarked vertices but those of the largest connected part. Parts that are connected
+/// only by bridges of one or two vertices are separate.
 /// @return area of the vertices that were marked
 double markIslands(const Mesh& mesh, const std::vector<double>& areas, std::vector<char>& marks)
 {
-  DisjointSets sets = connected(mesh, marks);
+  const auto size = static_cast<int>(areas.size());
+  const std::vector<char> wide = widened(mesh, marks);
+  DisjointSets sets = connected(mesh, wide);
   std::vector<double> ofParts(areas.size(), 0.0);
-  for (int v = 0; v < static_cast<int>(areas.size()); ++v)
+  for (int v = 0; v < size; ++v)
   {
-    ofParts[sets.find(v)] += marks[v] ? 0.0 : areas[v];
+    ofParts[sets.find(v)] += wide[v] ? 0.0 : areas[v];
   }
   const int largest =
     static_cast<int>(std::max_element(ofParts.begin(), ofParts.end()) - ofParts.begin());
-  double area = 0.0;
-  for (int v = 0; v < static_cast<int>(areas.size()); ++v)
+  std::vector<char> kept(areas.size(), 0);
+  for (int v = 0; v < size; ++v)
   {
-    if (!marks[v] && sets.find(v) != largest)
+    kept[v] = !wide[v] && sets.find(v) == largest;
+  }
+  kept = widened(mesh, kept);
+  double area = 0.0;
+  for (int v = 0; v < size; ++v)
+  {
+    if (!marks[v] && !kept[v])
     {
       marks[v] = 1;
       area += areas[v];

@@ -149,10 +149,11 @@ void restoreSigns(const Adjacency& neighbors, const std::vector<char>& open, dou
   }
 }
 
-/// Compute heights. Vertices closer to a curve than `snap` mean edges are moved to it.
-Heights heightsOf(
-  const BorderSurface& surface, const std::vector<char>& open, const Borders& borders, double snap)
+/// Compute heights. Vertices near a curve are moved to it, unless they are fixed.
+Heights heightsOf(const BorderSurface& surface, const std::vector<char>& open,
+  const Borders& borders, const std::vector<char>& fixed)
 {
+  constexpr double snap = 0.25;     // mean edges
   constexpr double opposite = -0.3; // cosine; the other side of a thin sheet
   constexpr double steepest = 0.8;  // sine of the angle to the surface at the border
   const Mesh& mesh = surface.Mesh;
@@ -174,7 +175,7 @@ Heights heightsOf(
   restoreSigns(neighbors, open, band, heights.Values);
   for (Index v = 0; v < mesh.Positions.rows(); ++v)
   {
-    if (std::abs(heights.Values[v]) < snap * meanEdge(surface, neighbors, v))
+    if (!fixed[v] && std::abs(heights.Values[v]) < snap * meanEdge(surface, neighbors, v))
     {
       heights.Positions.row(v) = places[v];
       heights.Values[v] = 0.0;
@@ -334,10 +335,10 @@ CutSheet largestPart(CutSheet all, double wholeArea)
   return part;
 }
 
-CutSheet cutAt(
-  const BorderSurface& surface, const std::vector<char>& open, const Borders& borders, double snap)
+CutSheet cutAt(const BorderSurface& surface, const std::vector<char>& open, const Borders& borders,
+  const std::vector<char>& fixed)
 {
-  const Heights heights = heightsOf(surface, open, borders, snap);
+  const Heights heights = heightsOf(surface, open, borders, fixed);
   Splitting splitting(heights, borders, 0.5 * surface.EdgeLength);
   for (Index f = 0; f < surface.Mesh.Triangles.rows(); ++f)
   {
@@ -352,14 +353,26 @@ CutSheet cutAt(
 CutSheet cutSheet(const BorderSurface& surface, const std::vector<char>& open,
   const std::vector<BorderCurve>& borders)
 {
+  // A vertex that was moved to the curve may connect two parts of the sheet that otherwise do not
+  // touch. It is then left where it is.
+  constexpr int attempts = 10;
   const Borders curves(borders);
-  for (const double snap : { 0.25, 0.1, 0.0 })
+  std::vector<char> fixed(surface.Mesh.Positions.rows(), 0);
+  for (int attempt = 0; attempt < attempts; ++attempt)
   {
-    CutSheet sheet = cutAt(surface, open, curves, snap);
-    if (sheet.Triangles.rows() > 0 &&
-      checkGenusZero(sheet.Triangles, sheet.Positions.rows()).isSheet())
+    CutSheet sheet = cutAt(surface, open, curves, fixed);
+    if (sheet.Triangles.rows() == 0)
+    {
+      return {};
+    }
+    const GenusZeroReport report = checkGenusZero(sheet.Triangles, sheet.Positions.rows());
+    if (report.isSheet())
     {
       return sheet;
+    }
+    for (const auto& v : report.NonManifoldVertices)
+    {
+      fixed[sheet.Vertices[v].First] = fixed[sheet.Vertices[v].Second] = 1;
     }
   }
   return {};

@@ -71,10 +71,25 @@ double medianSpacing(const Points& points, const SampleSpacing& spacing)
   return all[all.size() / 2];
 }
 
+/// Standard deviation of the heights of points in a plane, from their median magnitude. Points of
+/// the object near the plane thus have little effect.
+double noiseOf(const Plane& plane, const Points& points, const std::vector<int>& inPlane)
+{
+  constexpr double deviations = 1.4826; // of a normal distribution, per median magnitude
+  std::vector<double> heights;
+  for (const int i : inPlane)
+  {
+    heights.push_back(std::abs(plane.height(points.row(i))));
+  }
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  return deviations * *middle;
+}
+
 /// Plane with the most points. Each candidate is the plane of a point and of its neighbors.
 Plane largestPlane(const Points& points, const SampleSpacing& spacing, double tolerance)
 {
-  constexpr int neighbors = 40, refinements = 5;
+  constexpr int neighbors = 40, refinements = 8;
   Random random(1);
   Plane best;
   std::size_t most = 0;
@@ -96,9 +111,13 @@ Plane largestPlane(const Points& points, const SampleSpacing& spacing, double to
       best = plane;
     }
   }
+  // In later refinements, only points within three standard deviations are used.
+  constexpr double deviations = 3.0, least = 1e-6;
   for (int k = 0; k < refinements; ++k)
   {
-    const std::vector<int> ids = pointsIn(best, points, tolerance);
+    const double noise = noiseOf(best, points, pointsIn(best, points, tolerance));
+    const std::vector<int> ids =
+      pointsIn(best, points, std::min(tolerance, deviations * noise + least * tolerance));
     best = ids.size() >= 3 ? planeThrough(points, ids) : best;
   }
   return best;
@@ -300,12 +319,7 @@ Ground findGround(const TrainingSamples& samples, RemoveGround mode)
   {
     return ground;
   }
-  double squares = 0.0;
-  for (const int i : inPlane)
-  {
-    squares += std::pow(plane.height(points.row(i)), 2);
-  }
-  const double noise = std::sqrt(squares / static_cast<double>(inPlane.size()));
+  const double noise = noiseOf(plane, points, inPlane);
   const double full = spacing *
     std::sqrt(static_cast<double>(points.rows()) / static_cast<double>(samples.totalSize()));
   ground.Normal = plane.Normal;

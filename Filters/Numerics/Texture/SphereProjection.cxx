@@ -232,7 +232,9 @@ Vector2 hemisphere(const Vector3& n, SphereProjection projection, int patch)
   }
   const double length = n.norm();
   const Vector2 w = length > 0.0 ? planeOf(n / length) : Vector2(0.0, 0.0);
-  return projection == SphereProjection::Disk ? Vector2(0.5 * (Vector2::Ones() + w)) : squareOf(w);
+  const Vector2 st =
+    projection == SphereProjection::Disk ? Vector2(0.5 * (Vector2::Ones() + w)) : squareOf(w);
+  return st.cwiseMax(0.0).cwiseMin(1.0); // rounding may move the border out of the image
 }
 
 Vector3 fromHemisphere(const Vector2& st, SphereProjection projection)
