@@ -337,7 +337,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
 void WarnOfBorder(
   vtkConformalSOM* self, const conformal::BorderReport& result, conformal::Border border)
 {
-  constexpr double muchDropped = 0.001;
+  constexpr double muchDropped = 0.01;
   if (result.BorderFailed)
   {
     vtkWarningWithObjectMacro(self, << "the points have no border that can be followed; the "
@@ -406,7 +406,7 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
 // Make the output surface, equal on all ranks, in two steps: quantization errors and vertex shift.
 vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
-  const conformal::CoordinateFrame& frame, conformal::Steps& steps)
+  vtkIdType ofGround, const conformal::CoordinateFrame& frame, conformal::Steps& steps)
 {
   vtkNew<vtkPolyData> surface;
   glue::SetSurface(surface, result.Positions, result.Triangles, frame);
@@ -428,6 +428,8 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::Run shifting = steps.next();
   const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
   AddFigures(surface->GetFieldData(), samples, result, shift, frame);
+  glue::AddNumber(
+    surface->GetFieldData(), "NumberOfGroundPoints", static_cast<long long>(ofGround));
   return surface;
 }
 
@@ -465,6 +467,24 @@ void SetRecords(vtkInformationVector* outputs, const conformal::ConformalSOMResu
   }
   FillHistory(vtkTable::GetData(outputs, 1),
     isFirst ? result.History : std::vector<conformal::TrainingRecord>());
+}
+
+// Return the samples of a cloud without its ground, in two steps. Warn if points are left out as
+// ground.
+// @param[out] ofGround  number of samples left out as ground, on all processes
+conformal::TrainingSamples SamplesOf(vtkConformalSOM* self, const glue::CloudInput& cloud,
+  const conformal::NumberView& priorities, conformal::RemoveGround removeGround,
+  glue::Processes& processes, conformal::Steps& steps, vtkIdType& ofGround)
+{
+  conformal::TrainingSamples samples(
+    cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
+  ofGround =
+    glue::LeaveGroundOut(removeGround, cloud, priorities, samples, steps.next().unwatched());
+  if (ofGround > 0 && processes.isFirst())
+  {
+    glue::WarnOfGround(self, ofGround, ofGround + samples.totalSize());
+  }
+  return samples;
 }
 }
 
@@ -529,29 +549,22 @@ int vtkConformalSOM::RequestData(
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
       options.Opening.HoleSize /= cloud.Frame.Unit;
       conformal::Steps steps(processes.run(), { 0.01, 0.01, 0.02, 0.9, 0.02, 0.02, 0.01 });
-      conformal::TrainingSamples samples(
-        cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
-      const vtkIdType ofGround =
-        glue::LeaveGroundOut(removeGround, cloud, priorities, samples, steps.next().unwatched());
+      vtkIdType ofGround = 0;
+      conformal::TrainingSamples samples =
+        SamplesOf(this, cloud, priorities, removeGround, processes, steps, ofGround);
       glue::CloudNormals normals;
       SetNormals(input, cloud.Frame, options, samples, normals);
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
         glue::WarnOfFarPoints(this, cloud.Far);
-        if (ofGround > 0)
-        {
-          glue::WarnOfGround(this, ofGround, ofGround + samples.totalSize());
-        }
       }
       if (!samples.empty())
       {
         const conformal::MappedMesh mesh =
           StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
         const auto result = Learn(this, samples, options, mesh, processes, steps.next());
-        const auto surface = SurfaceOf(result, samples, options, cloud.Frame, steps);
-        glue::AddNumber(
-          surface->GetFieldData(), "NumberOfGroundPoints", static_cast<long long>(ofGround));
+        const auto surface = SurfaceOf(result, samples, options, ofGround, cloud.Frame, steps);
         SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());
         steps.next();
         glue::KeepOwnShare(surface, inPieces, processes);
