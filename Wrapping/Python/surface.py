@@ -191,8 +191,9 @@ class Surface:
             raise ValueError(f"texture_size is {texture_size}, but must be in [1, 16384]")
         map_ = self.polydata.GetPointData().GetArray("SpherePosition")
         has_border = map_ is not None and map_.GetRange(2)[0] >= 0.0  # mapped to a hemisphere
-        placement = {"projection": "Square"} if has_border else {
-            "projection": "Octahedral", "margin": 0.01, "area_balance": area_balance}
+        placement: typing.Dict[str, typing.Any] = {"projection": "Square"}
+        if not has_border:
+            placement = {"projection": "Octahedral", "margin": 0.01, "area_balance": area_balance}
         painted = self._filtered("vtkSphericalTextureMap", False, placement)
         source = vtkTrivialProducer()
         source.SetOutput(painted.polydata)

@@ -81,6 +81,10 @@ double noiseOf(const Plane& plane, const Points& points, const std::vector<int>&
   {
     heights.push_back(std::abs(plane.height(points.row(i))));
   }
+  if (heights.empty())
+  {
+    return 0.0;
+  }
   const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
   std::nth_element(heights.begin(), middle, heights.end());
   return deviations * *middle;
@@ -303,6 +307,10 @@ Ground findGround(const TrainingSamples& samples, RemoveGround mode)
   const Points points = selectedSamples(samples, WantedSamples);
   const SampleSpacing spacings(points);
   const double spacing = medianSpacing(points, spacings);
+  if (!(spacing > 0.0)) // Most points coincide.
+  {
+    return ground;
+  }
   Plane plane = largestPlane(points, spacings, spacing);
   double sum = 0.0;
   for (Index i = 0; i < points.rows(); ++i)

@@ -135,4 +135,9 @@ TEST(GroundPlane, FewOrFlatPointsHaveNoGround)
   EXPECT_FALSE(groundOf(Points(0, 3), RemoveGround::On).found());
   EXPECT_FALSE(groundOf(sheets::pointsAbove(-1.0, 100, 3), RemoveGround::On).found());
   EXPECT_FALSE(groundOf(table(2.0), RemoveGround::On).found());
+  // Points at few positions.
+  Points rounded = 2.0 * sheets::pointsAbove(-1.0, 5000, 3);
+  rounded = rounded.array().round();
+  EXPECT_NO_THROW(groundOf(rounded));
+  EXPECT_NO_THROW(groundOf(rounded, RemoveGround::On));
 }
