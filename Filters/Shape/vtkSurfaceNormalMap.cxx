@@ -70,11 +70,22 @@ conformal::TextureCoordinates ToTextureCoordinates(vtkPolyData* surface)
   return coordinates;
 }
 
+// Convert the points of a surface to a frame. Throw if a coordinate is not finite.
+conformal::Points FinitePoints(vtkPolyData* data, const conformal::CoordinateFrame& frame)
+{
+  conformal::Points points = glue::ToPoints(data->GetPoints(), frame);
+  if (!points.allFinite())
+  {
+    throw std::invalid_argument("some points of the surface are not finite");
+  }
+  return points;
+}
+
 conformal::TangentSurface ToTangentSurface(
   vtkPolyData* data, const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
   conformal::TangentSurface surface;
-  surface.Positions = glue::ToPoints(data->GetPoints(), frame);
+  surface.Positions = FinitePoints(data, frame);
   surface.Triangles = glue::ToTriangles(data);
   surface.SpherePositions = glue::ToTexturePositions(data);
   if (!FindNormals(data, surface.Normals))
@@ -90,7 +101,7 @@ conformal::TangentSurface ToTangentSurface(
 conformal::SurfaceWithNormals ToDetail(vtkPolyData* data, const conformal::CoordinateFrame& frame)
 {
   conformal::SurfaceWithNormals detail;
-  detail.Positions = glue::ToPoints(data->GetPoints(), frame);
+  detail.Positions = FinitePoints(data, frame);
   detail.Triangles = glue::ToTriangles(data);
   if (!FindNormals(data, detail.Normals))
   {

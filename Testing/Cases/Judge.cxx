@@ -355,7 +355,11 @@ Outcome JudgeFilter(vtkAlgorithm* filter, const Messages& messages, bool isClose
       isTold ? messages.first() : "empty without a word" };
   }
   auto* surface = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
-  if (isClosed && !(surface && IsClosedSphere(surface)))
+  auto* source = filter->GetNumberOfInputPorts() > 0
+    ? vtkPolyData::SafeDownCast(filter->GetInputDataObject(0, 0))
+    : nullptr;
+  const bool isOpen = source && source->GetNumberOfCells() > 0 && !IsClosedSphere(source);
+  if (isClosed && !isOpen && !(surface && IsClosedSphere(surface)))
   {
     return { Verdict::Wrong, "not a closed surface of genus zero" };
   }

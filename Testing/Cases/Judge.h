@@ -73,7 +73,8 @@ bool IsClosedSphere(vtkPolyData* surface);
 /// Check a run of a filter. If there is an error, all outputs must be empty. Otherwise, the outputs
 /// must be valid and finite. If all outputs are empty, there must be a message, unless the inputs
 /// are empty or the run was aborted.
-/// @param[in] isClosed  whether the first output must be a closed surface of genus zero
+/// @param[in] isClosed  whether the first output must be a closed surface of genus zero, unless the
+///   first input is a surface that is not
 Outcome JudgeFilter(vtkAlgorithm* filter, const Messages& messages, bool isClosed);
 }
 
