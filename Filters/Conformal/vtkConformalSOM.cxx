@@ -2,9 +2,9 @@
 
 #include "Base/Steps.h"
 #include "Glue/Arrays.h"
-#include "Glue/CloudGround.h"
 #include "Glue/CloudInput.h"
 #include "Glue/CloudNormals.h"
+#include "Glue/CloudSelection.h"
 #include "Glue/CloudWarnings.h"
 #include "Glue/LearningStages.h"
 #include "Glue/Meshes.h"
@@ -406,7 +406,7 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
 // Make the output surface, equal on all ranks, in two steps: quantization errors and vertex shift.
 vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
-  vtkIdType ofGround, const conformal::CoordinateFrame& frame, conformal::Steps& steps)
+  const glue::LeftOut& leftOut, const conformal::CoordinateFrame& frame, conformal::Steps& steps)
 {
   vtkNew<vtkPolyData> surface;
   glue::SetSurface(surface, result.Positions, result.Triangles, frame);
@@ -428,8 +428,10 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::Run shifting = steps.next();
   const double shift = isFitted ? conformal::vertexShift(result, samples, shifting) : 0.0;
   AddFigures(surface->GetFieldData(), samples, result, shift, frame);
-  glue::AddNumber(
-    surface->GetFieldData(), "NumberOfGroundPoints", static_cast<long long>(ofGround));
+  using glue::AddNumber;
+  vtkFieldData* data = surface->GetFieldData();
+  AddNumber(data, "NumberOfGroundPoints", static_cast<long long>(leftOut.Ground));
+  AddNumber(data, "NumberOfOtherLayerPoints", static_cast<long long>(leftOut.Layer));
   return surface;
 }
 
@@ -469,22 +471,19 @@ void SetRecords(vtkInformationVector* outputs, const conformal::ConformalSOMResu
     isFirst ? result.History : std::vector<conformal::TrainingRecord>());
 }
 
-// Return the samples of a cloud without its ground, in two steps. Warn if points are left out as
-// ground.
-// @param[out] ofGround  number of samples left out as ground, on all processes
-conformal::TrainingSamples SamplesOf(vtkConformalSOM* self, const glue::CloudInput& cloud,
-  const conformal::NumberView& priorities, conformal::RemoveGround removeGround,
-  glue::Processes& processes, conformal::Steps& steps, vtkIdType& ofGround)
+// Warn of points that are left out.
+void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
+  const conformal::TrainingSamples& samples, conformal::Side side)
 {
-  conformal::TrainingSamples samples(
-    cloud.View, priorities, cloud.Skip, processes.reduce(), steps.next());
-  ofGround =
-    glue::LeaveGroundOut(removeGround, cloud, priorities, samples, steps.next().unwatched());
-  if (ofGround > 0 && processes.isFirst())
+  const conformal::Index all = samples.totalSize() + leftOut.Layer;
+  if (leftOut.Ground > 0)
   {
-    glue::WarnOfGround(self, ofGround, ofGround + samples.totalSize());
+    glue::WarnOfGround(self, leftOut.Ground, leftOut.Ground + all);
   }
-  return samples;
+  if (leftOut.Layer > 0)
+  {
+    glue::WarnOfLayer(self, leftOut.Layer, all, side);
+  }
 }
 }
 
@@ -539,6 +538,7 @@ int vtkConformalSOM::RequestData(
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
   const bool inPieces = this->DistributeOutput;
   const auto removeGround = static_cast<conformal::RemoveGround>(this->RemoveGround);
+  const auto side = static_cast<conformal::Side>(this->Side);
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
@@ -548,15 +548,16 @@ int vtkConformalSOM::RequestData(
       glue::CloudInput cloud;
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
       options.Opening.HoleSize /= cloud.Frame.Unit;
-      conformal::Steps steps(processes.run(), { 0.01, 0.01, 0.02, 0.9, 0.02, 0.02, 0.01 });
-      vtkIdType ofGround = 0;
-      conformal::TrainingSamples samples =
-        SamplesOf(this, cloud, priorities, removeGround, processes, steps, ofGround);
+      conformal::Steps steps(processes.run(), { 0.04, 0.02, 0.88, 0.02, 0.02, 0.02 });
+      glue::LeftOut leftOut;
+      conformal::TrainingSamples samples = glue::SelectedSamples(
+        cloud, priorities, removeGround, side, processes.reduce(), steps.next(), leftOut);
       glue::CloudNormals normals;
       SetNormals(input, cloud.Frame, options, samples, normals);
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable);
+        WarnAbout(this, leftOut, samples, side);
         glue::WarnOfFarPoints(this, cloud.Far);
       }
       if (!samples.empty())
@@ -564,7 +565,7 @@ int vtkConformalSOM::RequestData(
         const conformal::MappedMesh mesh =
           StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
         const auto result = Learn(this, samples, options, mesh, processes, steps.next());
-        const auto surface = SurfaceOf(result, samples, options, ofGround, cloud.Frame, steps);
+        const auto surface = SurfaceOf(result, samples, options, leftOut, cloud.Frame, steps);
         SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());
         steps.next();
         glue::KeepOwnShare(surface, inPieces, processes);
@@ -603,6 +604,8 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HoleSize: " << this->HoleSize << "\n";
   static const char* const grounds[] = { "Automatic", "Off", "On" };
   os << indent << "RemoveGround: " << grounds[this->RemoveGround] << "\n";
+  static const char* const sides[] = { "Outer", "Inner", "Both" };
+  os << indent << "Side: " << sides[this->Side] << "\n";
   os << indent << "GenerateStages: " << (this->GenerateStages ? "On" : "Off") << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

@@ -54,6 +54,8 @@
  *   beyond the borders; 0 if the mesh is closed.
  * - field data "NumberOfGroundPoints" (1 value): number of points that were left out as the ground
  *   and what else stands on it, see the property RemoveGround.
+ * - field data "NumberOfOtherLayerPoints" (1 value): number of points that were left out as the
+ *   other layer of a shell, see the property Side.
  * - field data "UncoveredFraction" (1 value): fraction of the input points that are far from the
  *   mesh. Each point is weighted by the surface area that it represents. Outliers, which are far
  *   from all other points, are not counted.
@@ -209,6 +211,13 @@ public:
     AUTOMATIC_GROUND = 0,
     KEEP_GROUND = 1,
     REMOVE_GROUND = 2
+  };
+
+  enum Sides
+  {
+    OUTER_SIDE = 0,
+    INNER_SIDE = 1,
+    BOTH_SIDES = 2
   };
 
   enum ReferencePoints
@@ -483,6 +492,25 @@ public:
 
   ///@{
   /**
+   * Layer that is learned if the points are a shell: two layers of points around a cavity, as in
+   * the level set of a volume or the scan of a hollow object. The layers must be farther apart than
+   * about 0.03 of the largest radius, and than twice the spacing of the points. A cavity that has
+   * an opening of more than about four spacings is a part of the surface, not a layer.
+   *
+   * OUTER_SIDE (default): the inner layer is left out. INNER_SIDE: the outer layer is left out.
+   * BOTH_SIDES: all points are used, and the mesh cannot fit both layers. If points are left out,
+   * there is a warning, and the field data "NumberOfOtherLayerPoints" has their number. If there
+   * are not two layers, all points are used.
+   */
+  vtkSetClampMacro(Side, int, OUTER_SIDE, BOTH_SIDES);
+  vtkGetMacro(Side, int);
+  void SetSideToOuter() { this->SetSide(OUTER_SIDE); }
+  void SetSideToInner() { this->SetSide(INNER_SIDE); }
+  void SetSideToBoth() { this->SetSide(BOTH_SIDES); }
+  ///@}
+
+  ///@{
+  /**
    * Whether output port 2 has the intermediate surfaces of learning: the start, each level or turn,
    * the fit, and the result. A level is one network of the sequence of batch learning. A turn is
    * one fit, followed by a remeshing. Each surface has field data about its quality. Use these
@@ -547,6 +575,7 @@ private:
   int Border = AUTOMATIC_BORDER;
   double HoleSize = 0.0;
   int RemoveGround = AUTOMATIC_GROUND;
+  int Side = OUTER_SIDE;
   bool GenerateStages = false;
   vtkMultiProcessController* Controller = nullptr;
   bool DistributeOutput = false;

@@ -45,6 +45,18 @@ void WarnOfGround(vtkObject* self, conformal::Index count, conformal::Index tota
 }
 
 //------------------------------------------------------------------------------
+void WarnOfLayer(
+  vtkObject* self, conformal::Index count, conformal::Index total, conformal::Side side)
+{
+  const bool isOuter = side == conformal::Side::Outer;
+  vtkWarningWithObjectMacro(self, << "the points are two layers around a cavity; " << count
+                                  << " of " << total << " points are left out as the "
+                                  << (isOuter ? "inner" : "outer")
+                                  << " layer. To learn the other layer, set Side to "
+                                  << (isOuter ? "INNER_SIDE" : "OUTER_SIDE"));
+}
+
+//------------------------------------------------------------------------------
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total)
 {
   vtkWarningWithObjectMacro(self,

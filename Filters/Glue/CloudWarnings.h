@@ -3,7 +3,8 @@
 #ifndef GlueCloudWarnings_h
 #define GlueCloudWarnings_h
 
-#include "Base/Types.h" // for Index
+#include "Base/Types.h"        // for Index
+#include "Hull/NestedLayers.h" // for Side
 
 class vtkObject;
 
@@ -20,6 +21,9 @@ void WarnOfUnusedNormals(vtkObject* self);
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
 /// Warn that the ground under the object was left out.
 void WarnOfGround(vtkObject* self, conformal::Index count, conformal::Index total);
+/// Warn that the other layer of a shell was left out.
+void WarnOfLayer(
+  vtkObject* self, conformal::Index count, conformal::Index total, conformal::Side side);
 /// Warn that some points are inside the hull and far from its surface: inner parts, or outliers.
 void WarnOfPointsInside(vtkObject* self, conformal::Index count, conformal::Index total);
 }

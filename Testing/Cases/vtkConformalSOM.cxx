@@ -2,6 +2,7 @@
 
 #include "Cloud/GroundPlane.h"
 #include "FuzzFilter.h"
+#include "Hull/NestedLayers.h"
 #include "Learn/ConformalSOMOptions.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Properties.h"
@@ -44,7 +45,8 @@ std::vector<Mode> Modes()
     Integer("FitIterations", &F::SetFitIterations), Number("Smoothness", &F::SetSmoothness),
     Integer("StartingShape", &F::SetStartingShape), Integer("HullMethod", &F::SetHullMethod),
     Integer("MeshType", &F::SetMeshType), Integer("Border", &F::SetBorder),
-    Integer("RemoveGround", &F::SetRemoveGround), Switch("GenerateStages", &F::SetGenerateStages),
+    Integer("RemoveGround", &F::SetRemoveGround), Integer("Side", &F::SetSide),
+    Switch("GenerateStages", &F::SetGenerateStages),
     Switch("DistributeOutput", &F::SetDistributeOutput),
     Vector4("OnlineConstants", &F::SetOnlineConstants, { 0.4, 20.0, 0.01, 60.0 }) };
   Mode adaptive = QuickMode("Adaptive", one,
@@ -183,6 +185,7 @@ void Fuzz(fuzz::FilterSource& source)
     learner->SetNumberOfNeurons(12 + source.below(60));
     learner->SetBorder(source.below(3));
     learner->SetRemoveGround(source.below(3));
+    learner->SetSide(source.below(3));
   }
   learner->SetInputDataObject(0, source.surface());
   if (odd & 128)
@@ -205,6 +208,7 @@ std::vector<Mirror> Mirrors()
   using conformal::MeshType;
   using conformal::ReferencePoint;
   using conformal::RemoveGround;
+  using conformal::Side;
   using conformal::StartingShape;
   using conformal::TrainingMode;
   return { Same("MeshType", filter->GetMeshType(), static_cast<int>(options.MeshType)),
@@ -234,6 +238,9 @@ std::vector<Mirror> Mirrors()
       static_cast<int>(RemoveGround::Automatic)),
     Same("KEEP_GROUND", vtkConformalSOM::KEEP_GROUND, static_cast<int>(RemoveGround::Off)),
     Same("REMOVE_GROUND", vtkConformalSOM::REMOVE_GROUND, static_cast<int>(RemoveGround::On)),
+    Same("OUTER_SIDE", vtkConformalSOM::OUTER_SIDE, static_cast<int>(Side::Outer)),
+    Same("INNER_SIDE", vtkConformalSOM::INNER_SIDE, static_cast<int>(Side::Inner)),
+    Same("BOTH_SIDES", vtkConformalSOM::BOTH_SIDES, static_cast<int>(Side::Both)),
     Same(
       "AUTOMATIC_BORDER", vtkConformalSOM::AUTOMATIC_BORDER, static_cast<int>(Border::Automatic)),
     Same("CLOSED", vtkConformalSOM::CLOSED, static_cast<int>(Border::Closed)),

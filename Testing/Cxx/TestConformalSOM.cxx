@@ -803,6 +803,46 @@ TEST(ConformalSOM, FarVerticesOfPolygonsAreKept)
 }
 
 // Real scans, closed and of genus zero, with limbs that bend back to the body.
+TEST(ConformalSOM, OneLayerOfAShellIsLearned)
+{
+  const vtkSmartPointer<vtkPolyData> cloud = MakeCloud(8000);
+  const double outer[3] = { 5.0, 0.0, 0.0 };
+  for (vtkIdType i = 0; i < 8000; ++i)
+  {
+    double x[3];
+    cloud->GetPoint(i, x);
+    for (int k = 0; k < 3; ++k)
+    {
+      x[k] = outer[k] + 0.7 * (x[k] - outer[k]);
+    }
+    cloud->GetPoints()->InsertNextPoint(x);
+  }
+  double volumes[3] = { 0.0, 0.0, 0.0 };
+  for (const int side : { vtkConformalSOM::OUTER_SIDE, vtkConformalSOM::INNER_SIDE })
+  {
+    auto filter = vtkSmartPointer<vtkConformalSOM>::New();
+    filter->SetInputDataObject(cloud);
+    filter->SetNumberOfNeurons(1000);
+    filter->SetSide(side);
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_NE(observed.WarningMessage().find(side == vtkConformalSOM::OUTER_SIDE
+                  ? "8000 of 16000 points are left out as the inner layer"
+                  : "8000 of 16000 points are left out as the outer layer"),
+      std::string::npos)
+      << observed.WarningMessage();
+    EXPECT_EQ(
+      filter->GetOutput()->GetFieldData()->GetArray("NumberOfOtherLayerPoints")->GetTuple1(0),
+      8000);
+    vtkNew<vtkMassProperties> mass;
+    mass->SetInputConnection(filter->GetOutputPort());
+    volumes[side] = mass->GetVolume();
+  }
+  const double volume = 4.0 / 3.0 * vtkMath::Pi() * 3.0 * 2.0 * 1.0;
+  EXPECT_NEAR(volumes[vtkConformalSOM::OUTER_SIDE], volume, 0.01 * volume);
+  EXPECT_NEAR(volumes[vtkConformalSOM::INNER_SIDE], 0.343 * volume, 0.01 * volume);
+}
+
 TEST(ConformalSOM, SaysNothingOfCleanScans)
 {
   for (const char* name : { "spot", "armadillo" })

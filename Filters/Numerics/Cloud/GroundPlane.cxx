@@ -1,7 +1,7 @@
 #include "Cloud/GroundPlane.h"
 
-#include "Base/DisjointSets.h"
 #include "Base/Random.h"
+#include "Cloud/CloudParts.h"
 #include "Cloud/SampleSpacing.h"
 
 #include <Eigen/Eigenvalues>
@@ -58,19 +58,6 @@ std::vector<int> pointsIn(const Plane& plane, const Points& points, double toler
   return ids;
 }
 
-double medianSpacing(const Points& points, const SampleSpacing& spacing)
-{
-  std::vector<double> all;
-  std::vector<Neighbor> around;
-  for (Index i = 0; i < points.rows(); i += 7)
-  {
-    all.push_back(spacing.at(i, around).spacing());
-  }
-  std::nth_element(
-    all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
-  return all[all.size() / 2];
-}
-
 /// Standard deviation of the heights of points in a plane, from their median magnitude. Points of
 /// the object near the plane thus have little effect.
 double noiseOf(const Plane& plane, const Points& points, const std::vector<int>& inPlane)
@@ -125,31 +112,6 @@ Plane largestPlane(const Points& points, const SampleSpacing& spacing, double to
     best = ids.size() >= 3 ? planeThrough(points, ids) : best;
   }
   return best;
-}
-
-/// Connect samples to their neighbors. Return the name of the part of each sample.
-std::vector<int> partsOf(const Points& points, const PointTree& tree, double reach)
-{
-  constexpr int neighbors = 12;
-  DisjointSets sets(points.rows());
-  std::vector<Neighbor> around;
-  for (int i = 0; i < static_cast<int>(points.rows()); ++i)
-  {
-    tree.nearest(points.row(i), neighbors, around);
-    for (const Neighbor& neighbor : around)
-    {
-      if (neighbor.SquareDistance <= reach * reach)
-      {
-        sets.unite(i, neighbor.Id);
-      }
-    }
-  }
-  std::vector<int> parts(points.rows());
-  for (int i = 0; i < static_cast<int>(points.rows()); ++i)
-  {
-    parts[i] = sets.find(i);
-  }
-  return parts;
 }
 
 /// Picture of the plane in square cells: which of them have samples of the plane, and which are in
@@ -306,7 +268,7 @@ Ground findGround(const TrainingSamples& samples, RemoveGround mode)
   }
   const Points points = selectedSamples(samples, WantedSamples);
   const SampleSpacing spacings(points);
-  const double spacing = medianSpacing(points, spacings);
+  const double spacing = spacings.median();
   if (!(spacing > 0.0)) // Most points coincide.
   {
     return ground;
@@ -351,7 +313,7 @@ Ground findGround(const TrainingSamples& samples, RemoveGround mode)
   }
   auto parts = std::make_shared<Ground::Parts>();
   parts->Tree = PointTree(above);
-  const std::vector<int> names = partsOf(above, parts->Tree, ground.Reach);
+  const std::vector<int> names = partsOfCloud(above, parts->Tree, ground.Reach);
   std::vector<int> sizes(names.size(), 0);
   for (const int name : names)
   {

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace conformal
 {
@@ -53,5 +55,19 @@ Neighborhood SampleSpacing::at(Index point, std::vector<Neighbor>& around) const
     }
   }
   return found;
+}
+
+double SampleSpacing::median() const
+{
+  constexpr Index step = 7;
+  std::vector<double> all;
+  std::vector<Neighbor> around;
+  for (Index i = 0; i < this->Positions.rows(); i += step)
+  {
+    all.push_back(this->at(i, around).spacing());
+  }
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  std::nth_element(all.begin(), middle, all.end());
+  return *middle;
 }
 }

@@ -46,6 +46,9 @@ public:
   /// @param[in] around  memory for the neighbors, reused by each call
   Neighborhood at(Index point, std::vector<Neighbor>& around) const;
 
+  /// Return the median of the spacings of a seventh of the points.
+  double median() const;
+
 private:
   const Points& Positions;
   PointTree Tree;
