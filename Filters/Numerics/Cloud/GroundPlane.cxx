@@ -313,7 +313,7 @@ Ground findGround(const TrainingSamples& samples, RemoveGround mode)
   }
   auto parts = std::make_shared<Ground::Parts>();
   parts->Tree = PointTree(above);
-  const std::vector<int> names = partsOfCloud(above, parts->Tree, ground.Reach);
+  const std::vector<int> names = partsOfCloud(above, SampleSpacing(above), ground.Reach);
   std::vector<int> sizes(names.size(), 0);
   for (const int name : names)
   {

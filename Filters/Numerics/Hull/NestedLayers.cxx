@@ -189,7 +189,7 @@ std::vector<char> innerSamples(
   {
     places.row(k) = points.row(hidden[k]);
   }
-  const std::vector<int> parts = partsOfCloud(places, PointTree(places), reach);
+  const std::vector<int> parts = partsOfCloud(places, SampleSpacing(places), reach);
   std::vector<char> isInnerPart(parts.size(), 0), isInner(seen.size(), 0);
   for (std::size_t k = 0; k < parts.size(); ++k)
   {
