@@ -19,7 +19,9 @@
 #include "SphereMap/GlobalConformalMap.h"
 #include "SphereMap/SheetMap.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -181,6 +183,31 @@ bool openedAndMapped(const TrainingSamples& samples, const BorderOptions& openin
   return false;
 }
 
+/// Count the samples that are farther from the surface than noise explains, on all ranks.
+Index countBeyondNoise(
+  const TrainingSamples& samples, const ConformalSOMResult& result, const Run& run)
+{
+  constexpr Index blockSize = 256;
+  constexpr double deviations = 5.0;
+  const double limit = deviations * result.Noise;
+  const TriangleTree tree(result.Positions, result.Triangles, run.unwatched());
+  std::vector<char> isBeyond(samples.size(), 0);
+  forBlocks(run, samples.size(), blockSize,
+    [&](Index begin, Index end)
+    {
+      int hint = -1;
+      for (Index i = begin; i < end; ++i)
+      {
+        const FootPoint place = tree.closestPoint(samples[i], hint);
+        hint = place.Triangle;
+        isBeyond[i] = place.SquareDistance > limit * limit;
+      }
+    });
+  std::int64_t count = std::count(isBeyond.begin(), isBeyond.end(), 1);
+  samples.reduce().sum(&count, 1);
+  return count;
+}
+
 /// Map the surface to the sphere, after it was opened where the samples end.
 void openAndMap(const TrainingSamples& samples, const BorderOptions& opening,
   ConformalSOMResult& result, const Run& run)
@@ -212,6 +239,11 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   if (!isGeodesic)
   {
     const bool isOwnMesh = result.FromMesh && mesh->SpherePositions.rows() == 0;
+    if (result.Noise > 0.0 && result.NumberOfSamplesOutside > 0)
+    {
+      result.NumberOfSamplesOutside =
+        std::min(result.NumberOfSamplesOutside, countBeyondNoise(samples, result, run.unwatched()));
+    }
     const Run untangling = steps.next();
     result.SelfIntersections = untangle(result.Positions, result.Triangles, untangling);
     BorderOptions opening = options.Opening;

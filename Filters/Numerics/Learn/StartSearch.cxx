@@ -5,6 +5,7 @@
 #include "Learn/Batch/BatchTraining.h"
 #include "Learn/FirstSurface.h"
 #include "Learn/Fit/AdaptiveFit.h"
+#include "Learn/Fit/SmoothFilling.h"
 #include "Learn/Fit/SurfaceQuality.h"
 #include "Learn/Fit/VertexSupport.h"
 #include "Mesh/GeodesicSphere.h"
@@ -50,7 +51,7 @@ std::string nameOf(Start start)
 constexpr double ToleratedWebs = 0.001; // maximum fraction of the area on webs
 
 /// Fractions of the progress of one start, measured on scans: first surface, fit, quality.
-constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.72, ShareOfQuality = 0.08;
+constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.7, ShareOfFilling = 0.02, ShareOfQuality = 0.08;
 
 /// Convert points from one normalized frame to another.
 Points moved(Points points, const TrainingSamples& from, const TrainingSamples& to)
@@ -329,9 +330,14 @@ private:
     options.SamplesPerVertex = this->Options.Batch.SamplesPerNeuron;
     options.RandomSeed = this->Options.RandomSeed;
     options.Observer = this->observerFor(samples, run);
-    Steps steps(run, { ShareOfFit, ShareOfQuality });
+    Steps steps(run, { ShareOfFit, ShareOfFilling, ShareOfQuality });
     ConformalSOMResult result;
     static_cast<FittedMesh&>(result) = fitAdaptively(samples, options, first, steps.next());
+    const Run filling = steps.next();
+    if (!first.Report.FromMesh) // A mesh defines the surface between its vertices.
+    {
+      fillSmoothly(samples, result.Noise, result.Positions, result.Triangles, filling);
+    }
     static_cast<StartReport&>(result) = first.Report;
     result.Quality =
       evaluateSurface(samples, result.Positions, result.Triangles, result.Noise, steps.next());
