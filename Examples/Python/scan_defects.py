@@ -123,6 +123,17 @@ def defects(model, count):
     for views, directions in ((5, np.vstack([AXES, -AXES[:2]])), (3, AXES)):
         seen = model.seen(points, normals, directions)
         yield f"{views} views", points[seen], normals[seen], far_from(points[~seen])
+    front = model.seen(points, normals, AXES[2:])
+    behind = far_from(points[~front])
+    yield "front", points[front], normals[front], behind
+    low, high = points.min(axis=0), points.max(axis=0)
+    floor = 0.5 * (low + high) + 3.0 * np.ptp(points[:, [0, 2]]) * (random.random_sample((count, 3)) - 0.5)
+    floor[:, 1] = low[1]
+    yield ("front with ground", np.vstack([points[front], floor]),
+           np.vstack([normals[front], np.tile(AXES[1], (count, 1))]), behind)
+    below = points - 0.06 * normals
+    deep = model.closest(below)[0] > 0.059
+    yield "shell", np.vstack([points, below[deep]]), np.vstack([normals, -normals[deep]]), everywhere
     for noise in (0.01, 0.02):
         yield f"noise {noise}", points + noise * random.standard_normal(points.shape), normals, everywhere
     for few in (3000, 1000):

@@ -70,6 +70,13 @@ conformal::ConformalSOMOptions OptionsOf(
   return options;
 }
 
+// Return which points are learned.
+glue::CloudPart PartOf(vtkConformalSOM* self)
+{
+  return { static_cast<conformal::RemoveGround>(self->GetRemoveGround()),
+    static_cast<conformal::Side>(self->GetSide()) };
+}
+
 // Return the priorities of the points of this process. The view is empty if there are no points.
 conformal::NumberView ViewPriorities(
   vtkPointSet* input, const std::string& name, std::vector<double>& copy)
@@ -184,9 +191,26 @@ void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   }
 }
 
-// Warn of defects of the input's points.
-void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable)
+// Warn of points that are left out.
+void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
+  const conformal::TrainingSamples& samples, conformal::Side side)
 {
+  const conformal::Index all = samples.totalSize() + leftOut.Layer;
+  if (leftOut.Ground > 0)
+  {
+    glue::WarnOfGround(self, leftOut.Ground, leftOut.Ground + all);
+  }
+  if (leftOut.Layer > 0)
+  {
+    glue::WarnOfLayer(self, leftOut.Layer, all, side);
+  }
+}
+
+// Warn of defects of the input's points, and of points that are left out.
+void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable,
+  const glue::LeftOut& leftOut, conformal::Side side)
+{
+  WarnAbout(self, leftOut, samples, side);
   if (unusable > 0)
   {
     vtkWarningWithObjectMacro(
@@ -403,7 +427,8 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
   return result;
 }
 
-// Make the output surface, equal on all ranks, in two steps: quantization errors and vertex shift.
+// Make the output surface, equal on all ranks, in two steps: quantization errors and vertex
+// shift.
 vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
   const glue::LeftOut& leftOut, const conformal::CoordinateFrame& frame, conformal::Steps& steps)
@@ -470,21 +495,6 @@ void SetRecords(vtkInformationVector* outputs, const conformal::ConformalSOMResu
   FillHistory(vtkTable::GetData(outputs, 1),
     isFirst ? result.History : std::vector<conformal::TrainingRecord>());
 }
-
-// Warn of points that are left out.
-void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
-  const conformal::TrainingSamples& samples, conformal::Side side)
-{
-  const conformal::Index all = samples.totalSize() + leftOut.Layer;
-  if (leftOut.Ground > 0)
-  {
-    glue::WarnOfGround(self, leftOut.Ground, leftOut.Ground + all);
-  }
-  if (leftOut.Layer > 0)
-  {
-    glue::WarnOfLayer(self, leftOut.Layer, all, side);
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -537,8 +547,7 @@ int vtkConformalSOM::RequestData(
   conformal::ConformalSOMOptions options = OptionsOf(this, stages);
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
   const bool inPieces = this->DistributeOutput;
-  const auto removeGround = static_cast<conformal::RemoveGround>(this->RemoveGround);
-  const auto side = static_cast<conformal::Side>(this->Side);
+  const glue::CloudPart part = PartOf(this);
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
@@ -550,14 +559,13 @@ int vtkConformalSOM::RequestData(
       options.Opening.HoleSize /= cloud.Frame.Unit;
       conformal::Steps steps(processes.run(), { 0.04, 0.02, 0.88, 0.02, 0.02, 0.02 });
       glue::LeftOut leftOut;
-      conformal::TrainingSamples samples = glue::SelectedSamples(
-        cloud, priorities, removeGround, side, processes.reduce(), steps.next(), leftOut);
+      conformal::TrainingSamples samples =
+        glue::SelectedSamples(cloud, priorities, part, processes.reduce(), steps.next(), leftOut);
       glue::CloudNormals normals;
       SetNormals(input, cloud.Frame, options, samples, normals);
       if (processes.isFirst())
       {
-        WarnAbout(this, samples, unusable);
-        WarnAbout(this, leftOut, samples, side);
+        WarnAbout(this, samples, unusable, leftOut, part.Side);
         glue::WarnOfFarPoints(this, cloud.Far);
       }
       if (!samples.empty())

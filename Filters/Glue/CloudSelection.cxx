@@ -53,21 +53,21 @@ conformal::Index leaveOut(Selection& selection,
 
 //------------------------------------------------------------------------------
 conformal::TrainingSamples SelectedSamples(const CloudInput& cloud,
-  const conformal::NumberView& priorities, conformal::RemoveGround ground, conformal::Side side,
-  const conformal::Reduce& reduce, const conformal::Run& run, LeftOut& leftOut)
+  const conformal::NumberView& priorities, const CloudPart& part, const conformal::Reduce& reduce,
+  const conformal::Run& run, LeftOut& leftOut)
 {
   conformal::Steps steps(run, { 0.3, 0.2, 0.4, 0.1 }); // samples, ground, layers, the other layer
   Selection selection{ cloud, priorities, {},
     conformal::TrainingSamples(cloud.View, priorities, cloud.Skip, reduce, steps.next()) };
   const conformal::Run finding = steps.next();
-  const conformal::Ground plane = conformal::findGround(selection.Samples, ground);
+  const conformal::Ground plane = conformal::findGround(selection.Samples, part.Ground);
   if (plane.found())
   {
     leftOut.Ground = leaveOut(
       selection, [&](const conformal::Vector3& x) { return plane.hasObjectAt(x); }, finding);
   }
   const conformal::Run separating = steps.next();
-  if (side != conformal::Side::Both)
+  if (part.Side != conformal::Side::Both)
   {
     const conformal::NestedLayers layers =
       conformal::findNestedLayers(selection.Samples, separating);
@@ -76,7 +76,7 @@ conformal::TrainingSamples SelectedSamples(const CloudInput& cloud,
       leftOut.Layer = leaveOut(
         selection,
         [&](const conformal::Vector3& x)
-        { return layers.isInner(x) == (side == conformal::Side::Inner); },
+        { return layers.isInner(x) == (part.Side == conformal::Side::Inner); },
         steps.next());
     }
   }

@@ -13,6 +13,13 @@ namespace glue
 {
 struct CloudInput;
 
+/// Which points of a cloud are learned.
+struct CloudPart
+{
+  conformal::RemoveGround Ground = conformal::RemoveGround::Automatic;
+  conformal::Side Side = conformal::Side::Outer;
+};
+
 /// Numbers of points that are left out, on all ranks.
 struct LeftOut
 {
@@ -25,8 +32,8 @@ struct LeftOut
 /// @param[in] priorities  weights of the points; empty if all are equal
 /// @param[out] leftOut  numbers of points that are left out
 conformal::TrainingSamples SelectedSamples(const CloudInput& cloud,
-  const conformal::NumberView& priorities, conformal::RemoveGround ground, conformal::Side side,
-  const conformal::Reduce& reduce, const conformal::Run& run, LeftOut& leftOut);
+  const conformal::NumberView& priorities, const CloudPart& part, const conformal::Reduce& reduce,
+  const conformal::Run& run, LeftOut& leftOut);
 }
 
 #endif
