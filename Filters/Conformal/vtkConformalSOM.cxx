@@ -427,8 +427,7 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
   return result;
 }
 
-// Make the output surface, equal on all ranks, in two steps: quantization errors and vertex
-// shift.
+// Make the output surface, equal on all ranks, in two steps: quantization errors and vertex shift.
 vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
   const glue::LeftOut& leftOut, const conformal::CoordinateFrame& frame, conformal::Steps& steps)

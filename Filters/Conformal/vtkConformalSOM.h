@@ -494,8 +494,8 @@ public:
   /**
    * Layer that is learned if the points are a shell: two layers of points around a cavity, as in
    * the level set of a volume or the scan of a hollow object. The layers must be farther apart than
-   * about 0.03 of the largest radius, and than twice the spacing of the points. A cavity that has
-   * an opening of more than about four spacings is a part of the surface, not a layer.
+   * about 0.03 of the largest radius, and than twice the spacing of the points. A cavity with
+   * an opening whose radius is more than about four spacings is a part of the surface, not a layer.
    *
    * OUTER_SIDE (default): the inner layer is left out. INNER_SIDE: the outer layer is left out.
    * BOTH_SIDES: all points are used, and the mesh cannot fit both layers. If points are left out,

@@ -312,8 +312,9 @@ Ground findGround(const TrainingSamples& samples, RemoveGround mode)
     return {};
   }
   auto parts = std::make_shared<Ground::Parts>();
-  parts->Tree = PointTree(above);
-  const std::vector<int> names = partsOfCloud(above, SampleSpacing(above), ground.Reach);
+  const SampleSpacing ofAbove(above);
+  parts->Tree = ofAbove.tree();
+  const std::vector<int> names = partsOfCloud(above, ofAbove, ground.Reach);
   std::vector<int> sizes(names.size(), 0);
   for (const int name : names)
   {

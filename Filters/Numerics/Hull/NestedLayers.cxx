@@ -170,6 +170,16 @@ std::vector<char> cavitiesOf(const Regions& regions, const std::vector<Seen>& se
   return isCavity;
 }
 
+Points rowsAt(const Points& points, const std::vector<int>& ids)
+{
+  Points rows(static_cast<Index>(ids.size()), 3);
+  for (Index k = 0; k < rows.rows(); ++k)
+  {
+    rows.row(k) = points.row(ids[k]);
+  }
+  return rows;
+}
+
 // Mark the samples of the inner layer: those at a cavity, and those connected to them by samples
 // that do not see the outside.
 std::vector<char> innerSamples(
@@ -184,11 +194,7 @@ std::vector<char> innerSamples(
       hidden.push_back(i);
     }
   }
-  Points places(static_cast<Index>(hidden.size()), 3);
-  for (Index k = 0; k < places.rows(); ++k)
-  {
-    places.row(k) = points.row(hidden[k]);
-  }
+  const Points places = rowsAt(points, hidden);
   const std::vector<int> parts = partsOfCloud(places, SampleSpacing(places), reach);
   std::vector<char> isInnerPart(parts.size(), 0), isInner(seen.size(), 0);
   for (std::size_t k = 0; k < parts.size(); ++k)
@@ -239,11 +245,7 @@ bool wallIsEmpty(const Points& points, const PointTree& tree, const std::vector<
   {
     return false;
   }
-  Points places(static_cast<Index>(outer.size()), 3);
-  for (Index k = 0; k < places.rows(); ++k)
-  {
-    places.row(k) = points.row(outer[k]);
-  }
+  const Points places = rowsAt(points, outer);
   const PointTree outside(places);
   std::vector<Neighbor> around;
   // Count samples in a ball, up to a maximum.
@@ -283,7 +285,8 @@ NestedLayers findNestedLayers(const TrainingSamples& samples, const Run& run)
     return {};
   }
   const Points points = selectedSamples(samples, WantedSamples);
-  const double step = SampleSpacing(points).median();
+  const SampleSpacing spacings(points);
+  const double step = spacings.median();
   const double spacing = std::clamp(
     step * std::sqrt(static_cast<double>(points.rows()) / static_cast<double>(samples.totalSize())),
     MinimumSpacing, MaximumSpacing);
@@ -309,7 +312,7 @@ NestedLayers findNestedLayers(const TrainingSamples& samples, const Run& run)
     return {};
   }
   auto sorted = std::make_shared<NestedLayers::SortedSamples>();
-  sorted->Tree = PointTree(points);
+  sorted->Tree = spacings.tree();
   if (!wallIsEmpty(points, sorted->Tree, isInner, seen))
   {
     return {};

@@ -43,8 +43,8 @@ struct NestedLayers
 
 /// Find the outer and the inner layer of a cloud, in the samples' unit. The cloud has two layers if
 /// all of these conditions hold:
-/// - The samples enclose a cavity. A region that the outside reaches through a hole wider than
-///   about four spacings of the samples is no cavity.
+/// - The samples enclose a cavity. A region that the outside reaches through a hole whose
+///   radius is more than about four spacings of the samples is no cavity.
 /// - At most a tenth of the samples at the cavity are also at the outside (the sides of one
 ///   layer would be at both).
 /// - At least one of fifty samples is on the inner layer: at the cavity, or connected to such

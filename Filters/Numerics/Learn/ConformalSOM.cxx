@@ -187,23 +187,15 @@ bool openedAndMapped(const TrainingSamples& samples, const BorderOptions& openin
 Index countBeyondNoise(
   const TrainingSamples& samples, const ConformalSOMResult& result, const Run& run)
 {
-  constexpr Index blockSize = 256;
   constexpr double deviations = 5.0;
   const double limit = deviations * result.Noise;
   const TriangleTree tree(result.Positions, result.Triangles, run.unwatched());
-  std::vector<char> isBeyond(samples.size(), 0);
-  forBlocks(run, samples.size(), blockSize,
-    [&](Index begin, Index end)
-    {
-      int hint = -1;
-      for (Index i = begin; i < end; ++i)
-      {
-        const FootPoint place = tree.closestPoint(samples[i], hint);
-        hint = place.Triangle;
-        isBeyond[i] = place.SquareDistance > limit * limit;
-      }
-    });
-  std::int64_t count = std::count(isBeyond.begin(), isBeyond.end(), 1);
+  std::int64_t count = 0;
+  forEachFoot(
+    samples, tree, samples.size(), {},
+    [&](Index, const Vector3&, const FootPoint& foot)
+    { count += foot.SquareDistance > limit * limit; },
+    run);
   samples.reduce().sum(&count, 1);
   return count;
 }

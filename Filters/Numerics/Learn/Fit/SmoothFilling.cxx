@@ -3,11 +3,9 @@
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Cloud/SampleSpacing.h"
-#include "Linear/MultifrontalCholesky.h"
+#include "Linear/ShiftedSystem.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/MeshTopology.h"
-
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +22,6 @@ constexpr Index SamplesPerVertex = 4;
 constexpr double MovedSpacings = 1.5, MovedDeviations = 3.0;
 constexpr double GapSpacings = 2.0, GapDeviations = 4.0;
 constexpr double FewestInGaps = 0.002, MostMoved = 0.8; // fractions of the vertices
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 std::vector<double> distancesFrom(const Points& samples, const Points& positions, const Run& run)
 {
@@ -70,53 +66,21 @@ std::vector<int> verticesInGaps(const std::vector<double>& distances, double spa
   return vertices;
 }
 
-// Matrix of the sums of differences from the neighbors, for given columns. All others are zero.
-SparseMatrix laplacian(const Adjacency& neighbors, const std::vector<int>& columnOf, Index columns)
+// Matrix of the sums of differences from the neighbors.
+SparseMatrix laplacian(const Adjacency& neighbors, Index size)
 {
   std::vector<Eigen::Triplet<double>> entries;
-  const auto size = static_cast<int>(columnOf.size());
-  for (int i = 0; i < size; ++i)
+  for (int i = 0; i < static_cast<int>(size); ++i)
   {
-    if (columnOf[i] >= 0)
-    {
-      entries.emplace_back(i, columnOf[i], static_cast<double>(neighbors.size(i)));
-    }
+    entries.emplace_back(i, i, static_cast<double>(neighbors.size(i)));
     for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
     {
-      if (columnOf[*j] >= 0)
-      {
-        entries.emplace_back(i, columnOf[*j], -1.0);
-      }
+      entries.emplace_back(i, *j, -1.0);
     }
   }
-  SparseMatrix matrix(size, columns);
+  SparseMatrix matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
-}
-
-// Return the off-diagonal entries of a symmetric matrix, times -1, and its diagonal.
-EdgeWeights weightsOf(const SparseMatrix& matrix, std::vector<double>& diagonal)
-{
-  EdgeWeights weights;
-  weights.Neighbors.Offsets = { 0 };
-  diagonal.assign(matrix.cols(), 0.0);
-  for (int column = 0; column < static_cast<int>(matrix.cols()); ++column)
-  {
-    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry)
-    {
-      if (entry.row() == column)
-      {
-        diagonal[column] = entry.value();
-      }
-      else
-      {
-        weights.Neighbors.Ids.push_back(static_cast<int>(entry.row()));
-        weights.Weights.push_back(-entry.value());
-      }
-    }
-    weights.Neighbors.Offsets.push_back(static_cast<int>(weights.Neighbors.Ids.size()));
-  }
-  return weights;
 }
 }
 
@@ -136,28 +100,24 @@ Index fillSmoothly(const TrainingSamples& samples, double noise, Points& positio
   {
     return 0;
   }
-  std::vector<int> columnOf(positions.rows(), -1);
+  std::vector<Eigen::Triplet<double>> ones;
   Points places(size, 3), fixed = positions;
   for (int k = 0; k < static_cast<int>(size); ++k)
   {
-    columnOf[moved[k]] = k;
+    ones.emplace_back(moved[k], k, 1.0);
     places.row(k) = positions.row(moved[k]);
     fixed.row(moved[k]).setZero();
   }
-  const Adjacency neighbors = vertexNeighbors(triangles, positions.rows());
-  std::vector<int> all(positions.rows());
-  for (int i = 0; i < static_cast<int>(all.size()); ++i)
-  {
-    all[i] = i;
-  }
-  const SparseMatrix ofMoved = laplacian(neighbors, columnOf, size);
+  SparseMatrix toVertices(positions.rows(), size);
+  toVertices.setFromTriplets(ones.begin(), ones.end());
+  const SparseMatrix all =
+    laplacian(vertexNeighbors(triangles, positions.rows()), positions.rows());
+  const SparseMatrix ofMoved = all * toVertices;
   const SparseMatrix matrix = ofMoved.transpose() * ofMoved;
-  Columns solution = -(ofMoved.transpose() * (laplacian(neighbors, all, positions.rows()) * fixed));
-  std::vector<double> diagonal;
-  const EdgeWeights weights = weightsOf(matrix, diagonal);
+  Columns solution = -(ofMoved.transpose() * (all * fixed));
   try
   {
-    MultifrontalCholesky(weights, diagonal, places, steps.next(), rings).solve(solution);
+    factorize(matrix, places, rings, steps.next()).solve(solution);
   }
   catch (const NumericalFailure&)
   {
