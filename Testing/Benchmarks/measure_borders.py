@@ -171,12 +171,7 @@ def row_of(surface, part, spacing, test, closed):
 
 def measure(name, surface, cuts):
     """Print the rows of an object."""
-    x = points_of(surface)
-    center = x.mean(axis=0)
-    x = (x - center) / np.linalg.norm(x - center, axis=1).max()
-    scaled = vtkPolyData()
-    scaled.ShallowCopy(surface)
-    scaled.SetPoints(cloud_of(x).GetPoints())
+    scaled = scaled_to_one(surface)
     for cut in cuts:
         part = part_of(scaled, CUTS[cut])
         points, triangles = points_of(part), triangles_of(part)
@@ -198,21 +193,42 @@ def measure(name, surface, cuts):
         print(f"| {name} | {cut} | CSS | {row_of(smooth.GetOutput(), part, spacing, test, '')} |", flush=True)
 
 
+def scaled_to_one(surface):
+    """A surface with its centroid at the origin, and with a largest radius of 1."""
+    x = points_of(surface)
+    x = x - x.mean(axis=0)
+    scaled = vtkPolyData()
+    scaled.ShallowCopy(surface)
+    scaled.SetPoints(cloud_of(x / np.linalg.norm(x, axis=1).max()).GetPoints())
+    return scaled
+
+
+def parser_of_objects(description):
+    """A parser of the arguments that name the objects to measure."""
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
+    parser.add_argument("objects", nargs="*", help="files of closed surfaces, besides the built-in objects")
+    parser.add_argument("--builtin", default="bear,dancer", help="names of built-in objects, separated by commas")
+    return parser
+
+
+def objects_of(options):
+    """(name, surface) of each object that the arguments name."""
+    for name in filter(None, options.builtin.split(",")):
+        scan = builtin_figure.figure_cloud(figure=getattr(builtin_figure, name))
+        yield name, conformalsom.learn(scan).smooth(200000).polydata
+    for path in options.objects:
+        yield os.path.basename(path).partition(".")[0], conformalsom.read(path).polydata
+
+
 def main():
     """Measure all objects."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("objects", nargs="*", help="files of closed surfaces, besides the built-in objects")
+    parser = parser_of_objects(__doc__)
     parser.add_argument("--cuts", default=",".join(CUTS), help="names of cuts, separated by commas")
-    parser.add_argument("--builtin", default="bear,dancer", help="names of built-in objects, separated by commas")
     options = parser.parse_args()
     print("| object | cut | surface | points | borders | mean | largest | missed | beyond | p2s | closed | K | flipped |\n|" +
           " --- |" * 13)
-    cuts = options.cuts.split(",")
-    for name in filter(None, options.builtin.split(",")):
-        scan = builtin_figure.figure_cloud(figure=getattr(builtin_figure, name))
-        measure(name, conformalsom.learn(scan).smooth(200000).polydata, cuts)
-    for path in options.objects:
-        measure(os.path.basename(path).partition(".")[0], conformalsom.read(path).polydata, cuts)
+    for name, surface in objects_of(options):
+        measure(name, surface, options.cuts.split(","))
 
 
 if __name__ == "__main__":

@@ -14,14 +14,11 @@ beside a smaller copy. Prints a row for each scene:
 
 The largest radius of the object is 1. Scenes named "none" have no ground; there, nothing must be left out.
 """
-import argparse
-import os
-
 import numpy as np
 
 import conformalsom
-from helpers import builtin_figure
-from measure_borders import cloud_of, distances, points_of, sampled, triangles_of
+from measure_borders import (
+    cloud_of, distances, objects_of, parser_of_objects, points_of, sampled, scaled_to_one, triangles_of)
 
 COUNT = 40000
 LOWEST = 0.05
@@ -67,11 +64,8 @@ def learned(points):
 
 def measure(name, surface):
     """Print the rows of an object."""
-    x, triangles = points_of(surface), triangles_of(surface)
-    x = x - x.mean(axis=0)
-    x /= np.linalg.norm(x, axis=1).max()
-    whole = cloud_of(x)
-    whole.SetPolys(surface.GetPolys())
+    whole = scaled_to_one(surface)
+    x, triangles = points_of(whole), triangles_of(whole)
     cloud, test = sampled(x, triangles, COUNT, 3), sampled(x, triangles, 20000, 8)
     area = 0.5 * np.linalg.norm(np.cross(x[triangles[:, 1]] - x[triangles[:, 0]], x[triangles[:, 2]] - x[triangles[:, 0]]),
                                 axis=1).sum()
@@ -94,16 +88,10 @@ def measure(name, surface):
 
 def main():
     """Measure all objects."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("objects", nargs="*", help="files of closed surfaces, besides the built-in objects")
-    parser.add_argument("--builtin", default="bear,dancer", help="names of built-in objects, separated by commas")
-    options = parser.parse_args()
+    options = parser_of_objects(__doc__).parse_args()
     print("| object | scene | points of the ground | left out | web | p2s | alone |\n|" + " --- |" * 7)
-    for name in filter(None, options.builtin.split(",")):
-        scan = builtin_figure.figure_cloud(figure=getattr(builtin_figure, name))
-        measure(name, conformalsom.learn(scan).smooth(200000).polydata)
-    for path in options.objects:
-        measure(os.path.basename(path).partition(".")[0], conformalsom.read(path).polydata)
+    for name, surface in objects_of(options):
+        measure(name, surface)
 
 
 if __name__ == "__main__":
