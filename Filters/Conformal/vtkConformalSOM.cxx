@@ -11,6 +11,7 @@
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
 #include "Glue/Run.h"
+#include "Glue/Scanners.h"
 #include "Learn/ConformalSOM.h"
 #include "Surface/VertexShift.h"
 
@@ -180,14 +181,23 @@ conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vt
   return OwnMesh(self, input, must, samples, frame, processes, run);
 }
 
-// Set the normals of the samples to those of the input. Online learning does not use normals.
-void SetNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
+// Memory of the normals and of the scanners of points.
+struct PointAttributes
+{
+  glue::CloudNormals Normals;
+  conformal::Points Scanners;
+};
+
+// Set the normals and the scanners of the samples to those of the input. Online learning uses
+// neither.
+void SetAttributes(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::ConformalSOMOptions& options, conformal::TrainingSamples& samples,
-  glue::CloudNormals& normals)
+  PointAttributes& attributes)
 {
   if (options.TrainingMode != conformal::TrainingMode::Online)
   {
-    glue::SetNormals(input, frame, options.HullMethod, samples, normals);
+    glue::SetNormals(input, frame, options.HullMethod, samples, attributes.Normals);
+    glue::SetScanners(input, frame, samples, attributes.Scanners);
   }
 }
 
@@ -560,8 +570,8 @@ int vtkConformalSOM::RequestData(
       glue::LeftOut leftOut;
       conformal::TrainingSamples samples =
         glue::SelectedSamples(cloud, priorities, part, processes.reduce(), steps.next(), leftOut);
-      glue::CloudNormals normals;
-      SetNormals(input, cloud.Frame, options, samples, normals);
+      PointAttributes attributes;
+      SetAttributes(input, cloud.Frame, options, samples, attributes);
       if (processes.isFirst())
       {
         WarnAbout(this, samples, unusable, leftOut, part.Side);

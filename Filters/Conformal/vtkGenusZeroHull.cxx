@@ -8,6 +8,7 @@
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
 #include "Glue/Run.h"
+#include "Glue/Scanners.h"
 #include "Hull/GenusZeroHull.h"
 
 #include "vtkFieldData.h"
@@ -160,6 +161,8 @@ int vtkGenusZeroHull::RequestData(
         cloud.View, {}, cloud.Skip, processes.reduce(), steps.next());
       glue::CloudNormals normals;
       glue::SetNormals(input, cloud.Frame, options.Method, samples, normals);
+      conformal::Points scanners;
+      glue::SetScanners(input, cloud.Frame, samples, scanners);
       conformal::GenusZeroHullResult hull;
       if (!samples.empty())
       {

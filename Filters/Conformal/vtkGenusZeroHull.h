@@ -9,7 +9,10 @@
  *
  * Input port 0: vtkPointSet, points in any sequence. Points with non-finite coordinates are left
  * out with a warning, and hidden or duplicate ghost points without a warning. Cells and normals are
- * used only to compute winding numbers (about 1 inside of the points, 0 outside), see Method.
+ * used only to compute winding numbers (about 1 inside of the points, 0 outside), see Method. If
+ * the input has the array "ScannerPosition" (3 components), the positions between a scanner and its
+ * points are outside of a hull by winding numbers. The array is a point array with the position of
+ * each point's scanner, or a field array with one position for all points.
  *
  * Output port 0: vtkPolyData, the hull: a closed triangle mesh of genus zero around the points, in
  * the coordinates of the input, double precision. Triangles are counter-clockwise seen from

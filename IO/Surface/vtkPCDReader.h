@@ -13,6 +13,9 @@
  * - point array "Normals" (float or double, 3 components), active: fields normal_x, normal_y and
  *   normal_z.
  * - point array "RGB" or "RGBA" (unsigned char), active scalars: field rgb or rgba of four bytes.
+ * - field array "ScannerPosition" (double, 3 components, 1 tuple): position in the line VIEWPOINT.
+ *   The array is absent if the position is (0, 0, 0), the default, and the points do not form an
+ *   image (HEIGHT is 1).
  * - one point array for every other field, with the name, type and number of components of the
  *   field. Padding fields, which have no data, are left out.
  *

@@ -11,6 +11,9 @@
  * is transformed as specified in the .conf file. There is one vertex for each point.
  * - point array "ScanId" (int, 1 component): number of the point's scan in the list, counted from
  *   0.
+ * - point array "ScannerPosition" (float, 3 components): position of the scanner of each point. The
+ *   scanners of the repository scan along the z axis of a scan. The position is in this direction
+ *   from the point, a thousand times the largest coordinate of the scan away.
  * - every point array that all scans have with the same name, type and number of components, such
  *   as "confidence" or "intensity".
  * - field array "NumberOfMissingScans" (vtkIdType, 1 component): number of listed scans that do not

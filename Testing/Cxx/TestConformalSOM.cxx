@@ -890,6 +890,36 @@ TEST(ConformalSOM, AnyUnitAndPlaceWill)
   }
 }
 
+TEST(ConformalSOM, ScannerPositionsThatCannotBeUsedAreErrors)
+{
+  auto cloud = MakeCloud(300);
+  const auto refused = [&](vtkFieldData* data, int components, int tuples)
+  {
+    vtkNew<vtkDoubleArray> positions;
+    positions->SetName("ScannerPosition");
+    positions->SetNumberOfComponents(components);
+    positions->SetNumberOfTuples(tuples);
+    positions->Fill(9.0);
+    data->AddArray(positions);
+    auto filter = MakeFilter(cloud);
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_EQ(observed.Error(), components != 3 || (tuples != 1 && tuples != 300));
+    if (observed.Error())
+    {
+      EXPECT_NE(observed.ErrorMessage().find("ScannerPosition"), std::string::npos);
+      ExpectEmpty(filter);
+    }
+    data->RemoveArray("ScannerPosition");
+  };
+  refused(cloud->GetPointData(), 1, 300);
+  refused(cloud->GetPointData(), 3, 299);
+  refused(cloud->GetPointData(), 3, 300);
+  refused(cloud->GetFieldData(), 2, 1);
+  refused(cloud->GetFieldData(), 3, 2);
+  refused(cloud->GetFieldData(), 3, 1);
+}
+
 TEST(ConformalSOM, PriorityArraysThatCannotBeUsedAreErrors)
 {
   auto cloud = MakeCloud(300);

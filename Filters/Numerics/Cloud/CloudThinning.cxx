@@ -62,7 +62,7 @@ OrientedPoints selectSamples(const TrainingSamples& samples, double maximum)
   const Index stretch =
     std::max<Index>(1, std::llround(static_cast<double>(samples.totalSize()) / maximum));
   const Index first = samples.firstOfTotal(), last = first + samples.size();
-  Numbers positions, normals;
+  Numbers positions, normals, toScanner;
   for (Index i = first / stretch; i < std::min(samples.totalSize() / stretch, last); ++i)
   {
     const std::uint64_t mixed = static_cast<std::uint64_t>(i) * 0x9e3779b97f4a7c15U;
@@ -77,6 +77,11 @@ OrientedPoints selectSamples(const TrainingSamples& samples, double maximum)
         const Vector3 n = direction(samples.normal(id - first));
         normals.insert(normals.end(), n.data(), n.data() + 3);
       }
+      if (samples.hasScanners())
+      {
+        const Vector3 v = samples.toScanner(id - first);
+        toScanner.insert(toScanner.end(), v.data(), v.data() + 3);
+      }
     }
   }
   OrientedPoints cloud;
@@ -85,31 +90,27 @@ OrientedPoints selectSamples(const TrainingSamples& samples, double maximum)
   {
     cloud.Normals = asPoints(gather(samples.reduce(), normals));
   }
+  if (samples.hasScanners())
+  {
+    cloud.ToScanner = asPoints(gather(samples.reduce(), toScanner));
+  }
   return cloud;
 }
 
 //------------------------------------------------------------------------------
 OrientedPoints without(const OrientedPoints& cloud, const std::vector<std::uint8_t>& marks)
 {
-  const auto kept = static_cast<Index>(std::count(marks.begin(), marks.end(), 0));
-  const bool oriented = cloud.Normals.rows() > 0;
-  OrientedPoints rest;
-  rest.Positions.resize(kept, 3);
-  rest.Normals.resize(oriented ? kept : 0, 3);
-  Index next = 0;
+  std::vector<Index> kept;
   for (Index i = 0; i < cloud.Positions.rows(); ++i)
   {
     if (!marks[i])
     {
-      rest.Positions.row(next) = cloud.Positions.row(i);
-      if (oriented)
-      {
-        rest.Normals.row(next) = cloud.Normals.row(i);
-      }
-      ++next;
+      kept.push_back(i);
     }
   }
-  return rest;
+  const auto keptRows = [&](const Points& rows)
+  { return rows.rows() > 0 ? Points(rows(kept, Eigen::all)) : rows; };
+  return { keptRows(cloud.Positions), keptRows(cloud.Normals), keptRows(cloud.ToScanner) };
 }
 
 //------------------------------------------------------------------------------

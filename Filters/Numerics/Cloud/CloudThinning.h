@@ -11,12 +11,15 @@
 
 namespace conformal
 {
-/// Points of a point cloud, and their normals if known.
+/// Points of a point cloud, and their normals and scanners if known.
 struct OrientedPoints
 {
   Points Positions; ///< #P by 3
   /// #P by 3 unit vectors, zero for points without a known normal; empty if no normals are known
   Points Normals;
+  /// #P by 3 vectors from points to their scanners, zero for points whose scanner is unknown; empty
+  /// if no scanners are known. The function thin() omits them.
+  Points ToScanner = {};
 };
 
 /// Select samples evenly from the sequence of all samples. The sequence is divided into intervals

@@ -170,6 +170,24 @@ void TrainingSamples::setNormals(const PointView& normals)
   this->Oriented = true;
 }
 
+void TrainingSamples::setScanners(const PointView& positions)
+{
+  if (positions.size() != this->View.size() && positions.size() != 1)
+  {
+    throw std::invalid_argument(
+      "there must be one position, or as many positions of scanners as points");
+  }
+  this->Scanners = positions;
+  this->HasScanners = true;
+}
+
+Vector3 TrainingSamples::toScanner(Index i) const
+{
+  const Vector3 scanner = this->Scanners[this->Scanners.size() == 1 ? 0 : this->id(i)];
+  return scanner.allFinite() ? Vector3(this->normalize(scanner) - (*this)[i])
+                             : Vector3(Vector3::Zero());
+}
+
 Points TrainingSamples::normalizeAll(Points points) const
 {
   for (Index i = 0; i < points.rows(); ++i)

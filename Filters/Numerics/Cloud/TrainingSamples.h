@@ -69,6 +69,16 @@ public:
   bool oriented() const { return this->Oriented; }
   Vector3 normal(Index i) const { return this->Normals[this->id(i)]; }
 
+  /// Set the positions of the scanners that measured the points: #P by 3, in input coordinates, not
+  /// copied. One position is that of all points. A position that is not finite is unknown. Call
+  /// this function either on all ranks or on no rank.
+  /// @throws std::invalid_argument if the number of positions is neither 1 nor the number of points
+  void setScanners(const PointView& positions);
+  /// Return whether setScanners() was called.
+  bool hasScanners() const { return this->HasScanners; }
+  /// Return the vector from sample i to its scanner, in normalized coordinates; 0 if unknown.
+  Vector3 toScanner(Index i) const;
+
   /// Convert a point from input coordinates to normalized coordinates. The inverse function is
   /// restore().
   Vector3 normalize(const Vector3& x) const { return (x - this->Center) / this->Scale; }
@@ -99,14 +109,14 @@ private:
 
   PointView View;
   NumberView Weights;
-  PointView Normals;
+  PointView Normals, Scanners;
   KeptIds Kept; ///< empty if every point is a sample
   conformal::Reduce Sums;
   Index Size = 0;
   Share OfAll;
   Index NonFinite = 0;
   bool Weighted = false;
-  bool Oriented = false;
+  bool Oriented = false, HasScanners = false;
   double MaximumWeight = 1.0;
   Vector3 Center = Vector3::Zero();
   double Scale = 1.0;

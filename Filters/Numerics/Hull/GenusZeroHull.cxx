@@ -369,6 +369,15 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   constexpr double maximumNoise = 0.004;
   options.Method = HullMethod::Distance;
   winding.Method = HullMethod::WindingNumbers;
+  // Only winding numbers use what is known about the scanners.
+  if (samples.hasScanners() && samples.dimension() == 3)
+  {
+    GenusZeroHullResult byScanners = makeGenusZeroHull(samples, winding, run);
+    if (byScanners.Method == HullMethod::WindingNumbers && !hasHandles(byScanners))
+    {
+      return byScanners;
+    }
+  }
   GenusZeroHullResult hull = makeGenusZeroHull(samples, options, run.part(0.0, share));
   if (samples.dimension() < 3 || !seemsWrong(hull, samples))
   {

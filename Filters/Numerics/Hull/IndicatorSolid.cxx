@@ -5,7 +5,9 @@
 #include "Cloud/Orientation.h"
 #include "Cloud/StrayPoints.h"
 #include "Hull/CloudDistance.h"
+#include "Hull/FreeSpace.h"
 #include "Hull/GridSolid.h"
+#include "Search/PointTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +83,20 @@ Faults faultsOf(const FreudenthalGrid& grid, std::vector<std::uint8_t> inside)
   return faults;
 }
 
+// Lower the indicator where scanners have looked through. It is at most the level where free space
+// is 1/2, and 0 where it is 1.
+void carve(const std::vector<float>& free, Indicator& indicator)
+{
+  for (std::size_t node = 0; node < free.size(); ++node)
+  {
+    if (free[node] > 0.0F)
+    {
+      const auto maximum = static_cast<float>(2.0 * indicator.Level * (1.0 - free[node]));
+      indicator.Values[node] = std::min(indicator.Values[node], maximum);
+    }
+  }
+}
+
 // Search for the solid that is enclosed by thinned samples.
 class SolidSearch
 {
@@ -112,8 +128,15 @@ public:
 
   // Find the nodes inside. While noise causes many handles and cavities, repeat with a wider
   // kernel. Keep the result with the fewest.
-  void findInside(const Run& run)
+  // @param[in] rays  points and the vectors to their scanners, empty if unknown
+  void findInside(const OrientedPoints& rays, const Run& run)
   {
+    std::vector<float> free;
+    if (rays.ToScanner.rows() > 0)
+    {
+      free = freeSpace(this->Solid.Grid, rays.Positions, rays.ToScanner,
+        typicalSpacing(rays.Positions, run.unwatched()), this->Solid.Noise, run.unwatched());
+    }
     constexpr double share = 0.8; // each width accounts for this fraction of the remaining progress
     Index minimum = -1;
     double begin = 0.0;
@@ -126,6 +149,7 @@ public:
       Indicator field =
         indicatorOn(this->Solid.Grid, this->Numbers, this->Areas, this->Width, steps.next());
       steps.next();
+      carve(free, field);
       std::vector<std::uint8_t> inside = nodesAbove(this->Solid.Grid, field);
       const Index faults = faultsOf(this->Solid.Grid, inside).sum();
       if (minimum < 0 || faults < minimum)
@@ -146,7 +170,12 @@ public:
   IndicatorSolid repaired(const Run& run)
   {
     IndicatorSolid& solid = this->Solid;
-    joinPieces(solid.Grid, solid.Field, solid.Inside, run.part(0.0, 0.3));
+    const PointTree tree(this->Cloud.Positions, run.unwatched());
+    const double near = this->SpacingOfPoints * this->SpacingOfPoints;
+    joinPieces(
+      solid.Grid, solid.Field, solid.Inside,
+      [&](int node) { return tree.nearest(solid.Grid.position(node)).SquareDistance <= near; },
+      run.part(0.0, 0.3));
     fillCavities(solid.Grid, solid.Inside, run.part(0.3, 0.5));
     solid.EulerNumber = eulerNumber(solid.Grid, solid.Inside);
     solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, run.part(0.5, 1.0));
@@ -205,6 +234,7 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
   constexpr double farthest = 8.0;
   OrientedPoints cloud = selectSamples(samples, SelectedPoints);
   cloud = without(cloud, isolatedPoints(cloud.Positions, farthest, steps.next()));
+  const OrientedPoints rays = samples.hasScanners() ? cloud : OrientedPoints();
   cloud = thin(cloud, ThinnedPoints, steps.next());
   if (cloud.Positions.rows() < MinimumPoints)
   {
@@ -212,7 +242,7 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
   }
   SolidSearch search(std::move(cloud), spacing, steps.next());
   search.orientSamples(samples.oriented(), steps.next());
-  search.findInside(steps.next());
+  search.findInside(rays, steps.next());
   return search.repaired(steps.next());
 }
 }

@@ -45,7 +45,8 @@ struct IndicatorSolid
 ///    isovalue (Indicator::Level) are inside. If the points are noisy, the kernel width is at least
 ///    2.5 times the standard deviation of the noise. If noisy points result in more than four
 ///    handles and cavities, repeat this step with the 1.5-fold width, at most twice. Keep the solid
-///    with the fewest handles and cavities.
+///    with the fewest handles and cavities. If the positions of the scanners are known, nodes that
+///    scanners have looked through are outside (FreeSpace.h).
 /// 4. Join components, fill cavities and remove handles (SolidRepair.h). The solid then has the
 ///    topology of a ball.
 ///

@@ -20,6 +20,13 @@ constexpr double TinyPiece = 0.0005;
 /// Maximum path length, in sides of a cube of equally many nodes.
 constexpr double ReachOfPiece = 1.0;
 constexpr double FarthestReach = 0.1; ///< maximum path length, in units of the maximum radius
+/// Maximum path length across a hole, in units of the maximum radius, and minimum indicator on the
+/// path, in levels. The indicator is high between the open ends of a limb, and about 0 between
+/// separate objects, whose ends are closed.
+constexpr double FarthestAcrossHole = 0.5, AcrossHole = 0.15;
+/// Minimum indicator of nodes that fill a hole, relative to the minimum on the path across the
+/// hole. All shortest paths have the same cost, so the path may be at the side of the hole.
+constexpr double WideAcrossHole = 0.7;
 constexpr int NumberOfRounds = 3;
 /// Minimum difference from the level of a node clearly inside or outside.
 constexpr double Definite = 0.25;
@@ -172,9 +179,11 @@ class PieceJoin
 public:
   static constexpr std::uint8_t Outside = 0, Unseen = 1, Apart = 2, Joined = 3;
 
-  PieceJoin(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside)
+  PieceJoin(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
+    const std::function<bool(int node)>& hasSamples)
     : Grid(grid)
     , Inside(inside)
+    , HasSamples(hasSamples)
   {
   }
 
@@ -227,12 +236,21 @@ public:
       std::vector<int> piece;
       markPiece(this->Grid, this->Inside, end, Joined, piece);
       const std::vector<int> way = ways.way(end);
-      if (this->isTooLong(way, piece.size()))
+      const double side = std::cbrt(static_cast<double>(piece.size()));
+      const double length = this->lengthOutside(way);
+      if (length <= std::min(ReachOfPiece * side, FarthestReach / this->Grid.Spacing))
+      {
+        count += this->fill(way);
+      }
+      else if (this->leadsAcrossHole(way, length, indicator))
+      {
+        count += this->fillWide(way, indicator, static_cast<int>(side)) + this->fill(way);
+      }
+      else
       {
         this->mark(piece, Outside);
         continue;
       }
-      count += this->fill(way);
       ways.start(piece);
       ways.start(way);
     }
@@ -248,13 +266,66 @@ private:
     }
   }
 
-  bool isTooLong(const std::vector<int>& way, std::size_t sizeOfPiece) const
+  double lengthOutside(const std::vector<int>& way) const
   {
-    const auto open = std::count_if(
-      way.begin(), way.end(), [&](int node) { return this->Inside[node] == Outside; });
-    const double reach = std::min(ReachOfPiece * std::cbrt(static_cast<double>(sizeOfPiece)),
-      FarthestReach / this->Grid.Spacing);
-    return static_cast<double>(open) > reach;
+    return static_cast<double>(std::count_if(
+      way.begin(), way.end(), [&](int node) { return this->Inside[node] == Outside; }));
+  }
+
+  bool leadsAcrossHole(const std::vector<int>& way, double length, const Indicator& indicator) const
+  {
+    if (length > FarthestAcrossHole / this->Grid.Spacing ||
+      lowestOn(way, indicator) < AcrossHole * indicator.Level)
+    {
+      return false;
+    }
+    const auto isOutside = [&](int node) { return this->Inside[node] == Outside; };
+    const auto first = std::find_if(way.begin(), way.end(), isOutside);
+    const auto last = std::find_if(way.rbegin(), way.rend(), isOutside);
+    return !this->HasSamples || !(this->HasSamples(*first) || this->HasSamples(*last));
+  }
+
+  static double lowestOn(const std::vector<int>& way, const Indicator& indicator)
+  {
+    float lowest = std::numeric_limits<float>::infinity();
+    for (const int node : way)
+    {
+      lowest = std::min(lowest, indicator.Values[node]);
+    }
+    return lowest;
+  }
+
+  /// Fill nodes around a path, up to a distance in nodes, where the indicator is about as high as
+  /// on the path. The three outer layers of the grid stay outside.
+  Index fillWide(const std::vector<int>& way, const Indicator& indicator, int distance)
+  {
+    Index count = 0;
+    const float enough = static_cast<float>(WideAcrossHole) * lowestOn(way, indicator);
+    const Eigen::Map<const Eigen::Vector3i> size(this->Grid.Size.data());
+    for (const int center : way)
+    {
+      const Eigen::Vector3i at = this->Grid.coordinates(center);
+      const Eigen::Vector3i lower = (at.array() - distance).cwiseMax(3);
+      const Eigen::Vector3i upper = (at.array() + distance).min(size.array() - 4);
+      for (int z = lower[2]; z <= upper[2]; ++z)
+      {
+        for (int y = lower[1]; y <= upper[1]; ++y)
+        {
+          for (int x = lower[0]; x <= upper[0]; ++x)
+          {
+            const int node = this->Grid.node(x, y, z);
+            const bool isNear =
+              (Eigen::Vector3i(x, y, z) - at).squaredNorm() <= distance * distance;
+            if (isNear && this->Inside[node] == Outside && indicator.Values[node] >= enough)
+            {
+              this->Inside[node] = Joined;
+              ++count;
+            }
+          }
+        }
+      }
+    }
+    return count;
   }
 
   Index fill(const std::vector<int>& way)
@@ -276,15 +347,17 @@ private:
 
   const FreudenthalGrid& Grid;
   std::vector<std::uint8_t>& Inside;
+  const std::function<bool(int node)>& HasSamples;
   const std::array<int, 14> Steps = Grid.neighborSteps();
 };
 }
 
 //------------------------------------------------------------------------------
 Index joinPieces(const FreudenthalGrid& grid, const Indicator& indicator,
-  std::vector<std::uint8_t>& inside, const Run& run)
+  std::vector<std::uint8_t>& inside, const std::function<bool(int node)>& hasSamples,
+  const Run& run)
 {
-  PieceJoin join(grid, inside);
+  PieceJoin join(grid, inside, hasSamples);
   std::vector<std::vector<int>> pieces = join.largePieces();
   const Index count = pieces.size() > 1 ? join.joinToFirst(pieces, indicator, run) : 0;
   for (std::uint8_t& node : inside)

@@ -12,6 +12,7 @@
 #include "Hull/IndicatorGrid.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace conformal
@@ -21,16 +22,23 @@ namespace conformal
 /// function reattaches limbs (thin parts of the object) that are disconnected because points are
 /// sparse.
 ///
-/// A component is removed instead in three cases:
-/// - The component is tiny: fewer than 0.05 % of all nodes of the solid.
-/// - Its path is longer than the side of a cube with as many nodes as the component.
-/// - Its path is longer than a tenth of the largest distance of a sample from the origin.
+/// A component is removed if it is tiny: fewer than 0.05 % of all nodes of the solid. A component
+/// is also removed if its path is long: longer than the side of a cube with as many nodes as the
+/// component, or than a tenth of the largest distance of a sample from the origin.
+///
+/// A long path is accepted if it leads across a hole of the data that has cut a limb into two. The
+/// ends of both parts are then open: there are no samples where the path leaves the parts, and the
+/// indicator between them is well above 0. Separate objects are closed. The path is accepted up to
+/// half of the largest distance of a sample, if its indicator is at least 0.15 of the level. All
+/// nodes around the path with about the indicator of the path are added, too.
 ///
 /// @param[in] indicator  winding number at each node, and the level of the surface
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; must be 0 on the faces of the grid
+/// @param[in] hasSamples  test for nodes with samples nearby; empty if there are none
 /// @return the number of nodes added: nodes on the paths, and neighbors of these nodes
 Index joinPieces(const FreudenthalGrid& grid, const Indicator& indicator,
-  std::vector<std::uint8_t>& inside, const Run& run = {});
+  std::vector<std::uint8_t>& inside, const std::function<bool(int node)>& hasSamples = {},
+  const Run& run = {});
 
 /// Fill the cavities of a solid: add all nodes that are not connected to the faces of the grid.
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; must be 0 on the faces of the grid

@@ -25,6 +25,9 @@ struct SurfaceData
   OwnedArray<std::int64_t> PolygonOffsets;
   OwnedArray<std::int64_t> PolygonIds; ///< point ids in [0, #P), without repeated ids in a polygon
 
+  /// Position of the scanner that measured all points, 3 numbers; empty if unknown
+  std::vector<double> ScannerPosition;
+
   std::uint64_t DroppedPoints = 0; ///< number of points omitted because a coordinate is not finite
   std::uint64_t DroppedPolygons = 0; ///< number of polygons omitted: under 3 ids, or a repeated id
   std::uint64_t ReplacedValues = 0;  ///< number of array values that were not finite, replaced by 0

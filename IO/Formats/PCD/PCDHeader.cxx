@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
@@ -112,6 +113,10 @@ private:
           : keyword == "HEIGHT" ? this->Height
                                 : this->Points) = count;
     }
+    else if (keyword == "VIEWPOINT")
+    {
+      this->readViewPoint(words);
+    }
     else if (keyword == "DATA")
     {
       const std::string_view format = words.next();
@@ -120,6 +125,17 @@ private:
       this->Header.Format = format == "ascii" ? PCDFormat::Ascii
         : format == "binary"                  ? PCDFormat::Binary
                                               : PCDFormat::BinaryCompressed;
+    }
+  }
+
+  // Read the position. Files with words that are not numbers are read without it.
+  void readViewPoint(LineWords& words)
+  {
+    std::vector<double> position(3);
+    const auto isNumber = [&](double& x) { return words.next(x) && std::isfinite(x); };
+    if (std::all_of(position.begin(), position.end(), isNumber))
+    {
+      this->Header.ScannerPosition = position;
     }
   }
 
@@ -183,6 +199,12 @@ private:
       !isTooLarge && (!hasSize || !this->Points || *this->Points == *this->Width * *this->Height),
       "as many POINTS as WIDTH times HEIGHT");
     this->Header.NumberOfPoints = this->Points ? *this->Points : *this->Width * *this->Height;
+    auto& scanner = this->Header.ScannerPosition;
+    const auto isZero = [](double x) { return x == 0.0; };
+    if (this->Height.value_or(1) <= 1 && std::all_of(scanner.begin(), scanner.end(), isZero))
+    {
+      scanner.clear();
+    }
   }
 
   void check(bool isRight, const std::string& expected) const

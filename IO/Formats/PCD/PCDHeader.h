@@ -37,6 +37,9 @@ struct PCDHeader
   PCDFormat Format = PCDFormat::Ascii;
   std::vector<PCDField> Fields;
   std::uint64_t NumberOfPoints = 0;
+  /// Position of the scanner, 3 numbers. Empty if the line VIEWPOINT is missing, or if it contains
+  /// the default position (0, 0, 0) and the points do not form an image (HEIGHT is 1)
+  std::vector<double> ScannerPosition;
 };
 
 /// Test whether the first bytes of a file identify a PCD file.

@@ -61,6 +61,7 @@ public:
       this->readPoints(records, count);
     }
     this->finish(records, count);
+    this->Data.ScannerPosition = this->Header.ScannerPosition;
   }
 
 private:

@@ -19,6 +19,9 @@ namespace conformal
 /// field becomes an array with the field's name, type and number of components. Padding fields,
 /// which contain no data, are omitted.
 ///
+/// The position in the line VIEWPOINT becomes SurfaceData::ScannerPosition, see
+/// PCDHeader::ScannerPosition. The orientation of the scanner is ignored.
+///
 /// A point with a coordinate that is not finite marks a pixel of the scanner without a measurement.
 /// The parser drops this point, and does not count it in SurfaceData::DroppedPoints.
 ///

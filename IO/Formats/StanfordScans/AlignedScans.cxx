@@ -73,6 +73,22 @@ std::array<double, 9> rotationOf(const Motion& motion, bool isInverse)
     1 - 2 * (x * x + y * y) };
 }
 
+double largestCoordinate(const NamedArray& points)
+{
+  double largest = 0.0;
+  withType(points.Type,
+    [&](auto zero)
+    {
+      decltype(zero) x = zero;
+      for (std::size_t i = 0; i < 3 * points.numberOfTuples(); ++i)
+      {
+        std::memcpy(&x, points.Values.data() + i * sizeof(x), sizeof(x));
+        largest = std::max(largest, std::abs(static_cast<double>(x)));
+      }
+    });
+  return largest;
+}
+
 void appendValues(NamedArray& array, const NamedArray& more)
 {
   if (more.Values.size() > 0)
@@ -127,10 +143,11 @@ public:
     }
     for (NamedArray& array : this->Data.PointArrays)
     {
-      array.Name +=
-        array.Name == this->ScanIds.Name ? "2" : ""; // in case the scans have such an array
+      const bool isTaken = array.Name == this->ScanIds.Name || array.Name == this->Scanners.Name;
+      array.Name += isTaken ? "2" : ""; // in case the scans have such an array
     }
     this->Data.PointArrays.push_back(std::move(this->ScanIds));
+    this->Data.PointArrays.push_back(std::move(this->Scanners));
   }
 
 private:
@@ -186,7 +203,9 @@ private:
 
   void append(SurfaceData& scan, const std::array<double, 9>& rotation, const Motion& motion)
   {
+    constexpr double farAway = 1000.0; // in largest coordinates of the scan
     const std::size_t count = scan.Points.numberOfTuples();
+    const double distance = farAway * largestCoordinate(scan.Points);
     const auto scanId = static_cast<std::int32_t>(this->Count - 1);
     withType(scan.Points.Type,
       [&](auto zero)
@@ -210,6 +229,12 @@ private:
           }
           conformal::append(this->Data.Points, moved.data());
           conformal::append(this->ScanIds, &scanId);
+          std::array<float, 3> scanner;
+          for (std::size_t c = 0; c < 3; ++c)
+          {
+            scanner[c] = static_cast<float>(moved[c] + distance * rotation[3 * c + 2]);
+          }
+          conformal::append(this->Scanners, scanner.data());
         }
       });
     this->appendArrays(scan.PointArrays, this->Files.size() == 1);
@@ -262,6 +287,7 @@ private:
   std::size_t Count = 0;       ///< number of listed scans
   ParseStatus FirstMissing;
   NamedArray ScanIds = makeArray("ScanId", ScalarType::Int32, 1);
+  NamedArray Scanners = makeArray("ScannerPosition", ScalarType::Float32, 3);
 };
 }
 

@@ -48,6 +48,11 @@ using OpenScan = std::function<OpenedScan(const std::string& name)>;
 /// the scans of the list from 0, including missing scans. A point array is kept if every scan has
 /// an array of the same name, type and number of components.
 ///
+/// The point array "ScannerPosition" (Float32) contains a position of the scanner of each point.
+/// The scanners of the repository scan along the z axis of a scan, from z = infinity. The position
+/// is thus in this direction from the point, a thousand times the largest coordinate of the scan
+/// away.
+///
 /// If the list contains the same file twice, the result is an error. Missing scans are omitted and
 /// counted in SurfaceData::MissingScans. If RequireAllScans is true, a missing scan is an error. If
 /// none of the scans exists, the result is also an error.

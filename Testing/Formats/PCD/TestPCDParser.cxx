@@ -117,6 +117,27 @@ TEST(PCDParser, ReadsBinaryAndCompressedFiles)
   EXPECT_TRUE(empty.Status.ok()) << empty.Status.text();
 }
 
+TEST(PCDParser, ViewpointIsThePositionOfTheScanner)
+{
+  const std::string& ascii = samples::AsciiPCD();
+  using Numbers = std::vector<double>;
+  const auto scannerWith = [&](
+                             const std::string& line, const std::string& size = "WIDTH 3\nHEIGHT 1")
+  {
+    const SurfaceResult result =
+      parse(replaced(replaced(ascii, "VIEWPOINT 0 0 0 1 0 0 0", line), "WIDTH 3\nHEIGHT 1", size));
+    EXPECT_TRUE(result.Status.ok()) << result.Status.text();
+    return result.Data.ScannerPosition;
+  };
+  EXPECT_EQ(scannerWith("VIEWPOINT 1 -2 3.5 1 0 0 0"), (Numbers{ 1, -2, 3.5 }));
+  EXPECT_EQ(scannerWith("VIEWPOINT 0 0 0 1 0 0 0"), Numbers());
+  EXPECT_EQ(scannerWith("VIEWPOINT 0 0 0 1 0 0 0", "WIDTH 1\nHEIGHT 3"), (Numbers{ 0, 0, 0 }));
+  for (const char* line : { "# no viewpoint", "VIEWPOINT", "VIEWPOINT 1 nan 2", "VIEWPOINT a b c" })
+  {
+    EXPECT_EQ(scannerWith(line), Numbers()) << line;
+  }
+}
+
 TEST(PCDParser, EveryTruncationOfBinaryDataIsRefused)
 {
   for (const std::string& file : { samples::BinaryPCD(), samples::CompressedPCD() })

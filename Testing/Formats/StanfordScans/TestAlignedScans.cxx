@@ -72,6 +72,20 @@ TEST(AlignedScans, LieOnTheObjectThatWasScanned)
     EXPECT_EQ(ids.back(), 2);
     EXPECT_EQ(samples::find(result.Data.PointArrays, "confidence")->numberOfTuples(), 75u);
     EXPECT_EQ(result.Data.PolygonIds.size(), 0u);
+    // A scanner faces every point of the unit sphere that it has measured.
+    const std::vector<double> points = values<double>(result.Data.Points);
+    const std::vector<float> scanners =
+      values<float>(*samples::find(result.Data.PointArrays, "ScannerPosition"));
+    ASSERT_EQ(scanners.size(), points.size());
+    for (std::size_t i = 0; i < points.size(); i += 3)
+    {
+      double height = 0.0;
+      for (std::size_t c = i; c < i + 3; ++c)
+      {
+        height += (scanners[c] - points[c]) * points[c];
+      }
+      EXPECT_GT(height, 0.0);
+    }
   }
   conformal::AlignedScansOptions options;
   options.InvertRotation = true;
@@ -114,7 +128,7 @@ TEST(AlignedScans, ScanIdIsTheLineWhateverTheScansHave)
   samples::ExpectArray<std::int32_t>(arrays, "ScanId", ScalarType::Int32, 1, { 0, 1 });
   samples::ExpectArray<std::int32_t>(arrays, "ScanId2", ScalarType::Int32, 1, { 77, 77 });
   samples::ExpectArray<std::int32_t>(arrays, "only", ScalarType::Int32, 1, { 1, 1 });
-  EXPECT_EQ(arrays.size(), 3u);
+  EXPECT_EQ(arrays.size(), 4u);
 }
 
 TEST(AlignedScans, AreKnownByTheirFirstLine)

@@ -99,6 +99,50 @@ TEST(SolidRepair, JoinsLimbsAndDropsTheRest)
   }
 }
 
+// Two ends of a limb face each other over a gap of 20 nodes. If the ends are open, the indicator
+// between them falls to 0.2 only, and no samples are there. Separate objects are closed.
+TEST(SolidRepair, JoinsLimbsAcrossHolesButNoSeparateObjects)
+{
+  const FreudenthalGrid grid = cube(81);
+  const auto body = [](const Vector3& x) { return (x - Vector3(-22, 0, 0)).norm() < 14.0; };
+  const auto limb = [](const Vector3& x)
+  { return x[0] > 10.0 && x[0] < 32.0 && std::hypot(x[1], x[2]) < 6.0; };
+  const Marks both = where(grid, [&](const Vector3& x) { return body(x) || limb(x); });
+  ASSERT_EQ(numberOfPieces(grid, both), 2);
+  enum Ends
+  {
+    Open,
+    ClosedBySamples,
+    ClosedByIndicator
+  };
+  for (const Ends ends : { Open, ClosedBySamples, ClosedByIndicator })
+  {
+    const bool open = ends == Open;
+    Indicator indicator = indicatorOf(both);
+    for (int node = 0; node < static_cast<int>(both.size()); ++node)
+    {
+      const Vector3 x = (grid.coordinates(node).array() - 40).matrix().cast<double>();
+      if (ends != ClosedByIndicator && !both[node] && std::abs(x[0]) < 12.0 &&
+        std::hypot(x[1], x[2]) < 6.0)
+      {
+        indicator.Values[node] = 0.2F;
+      }
+    }
+    Marks inside = both;
+    const Index added =
+      joinPieces(grid, indicator, inside, [&](int) { return ends == ClosedBySamples; });
+    EXPECT_EQ(numberOfPieces(grid, inside), 1);
+    EXPECT_EQ(inside[grid.node(60, 40, 40)], open);
+    if (open)
+    {
+      EXPECT_EQ(size(inside), size(both) + added);
+      EXPECT_EQ(inside[grid.node(40, 43, 40)], 1); // as wide as the indicator is nearly constant
+      EXPECT_EQ(inside[grid.node(40, 48, 40)], 0);
+      EXPECT_EQ(eulerNumber(grid, inside), 1);
+    }
+  }
+}
+
 TEST(SolidRepair, JoinsAlongWhatIsNearlyInside)
 {
   const FreudenthalGrid grid = cube(41);
