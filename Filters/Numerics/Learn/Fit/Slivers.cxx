@@ -398,7 +398,7 @@ SliverRemoval removeSlivers(Mesh& mesh, const Run& run)
   Remover remover(mesh, removal);
   remover.cutPinches();
   run.report(0.3);
-  if (removal.Before > 0)
+  if (removal.Before > 0 || remover.hasChanged())
   {
     remover.removeAll();
     remover.cutPinches(); // what could not collapse
