@@ -14,7 +14,8 @@ namespace conformal
 {
 namespace
 {
-// Few samples suffice to find whether there are outliers.
+// Few samples suffice to find that there are no outliers. Sparse parts of a surface have more marks
+// among few samples than among many.
 constexpr double ExaminedSamples = 10000.0, MarkedSamples = 50000.0;
 constexpr double ShareOfOutliers = 0.005;
 // Median distances, see isolatedPoints(). Many outliers are close to each other, so the limit is
@@ -32,11 +33,11 @@ Index countMarks(const std::vector<std::uint8_t>& marks)
   return static_cast<Index>(std::count(marks.begin(), marks.end(), 1));
 }
 
-bool hasOutliers(const TrainingSamples& samples, const Run& run)
+bool hasOutliers(const TrainingSamples& samples, double examined, const Run& run)
 {
-  const Points examined = selectSamples(samples, ExaminedSamples).Positions;
-  return static_cast<double>(countMarks(isolatedPoints(examined, Farthest, run))) >=
-    ShareOfOutliers * static_cast<double>(examined.rows());
+  const Points points = selectSamples(samples, examined).Positions;
+  return static_cast<double>(countMarks(isolatedPoints(points, Farthest, run))) >=
+    ShareOfOutliers * static_cast<double>(points.rows());
 }
 
 // Return samples without outliers, equal on all ranks.
@@ -105,8 +106,9 @@ private:
 TrainingSamples withoutOutliers(const TrainingSamples& samples, const Run& run)
 {
   constexpr Index blockSize = 256;
-  Steps steps(run, { 0.1, 0.6, 0.3 }); // examination, clean samples, all samples
-  if (samples.dimension() < 3 || !hasOutliers(samples, steps.next()))
+  Steps steps(run, { 0.1, 0.1, 0.5, 0.3 }); // two examinations, clean samples, all samples
+  if (samples.dimension() < 3 || !hasOutliers(samples, ExaminedSamples, steps.next()) ||
+    !hasOutliers(samples, MarkedSamples, steps.next()))
   {
     return samples;
   }

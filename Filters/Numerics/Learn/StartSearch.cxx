@@ -51,9 +51,9 @@ std::string nameOf(Start start)
 
 constexpr double ToleratedWebs = 0.001; // maximum fraction of the area on webs
 
-// Unsupported area, beyond that of another surface, which is as bad as a defect score of 1. Two
-// surfaces fill the holes of the data by areas that differ by less.
-constexpr double ToleratedExcess = 0.01;
+// Unsupported area, beyond that of another surface, which is as bad as a defect score of 1. If both
+// surfaces fill a hole of the data, their unsupported areas differ by less.
+constexpr double ToleratedExcess = 0.005;
 
 /// Fractions of the progress of one start, measured on scans: first surface, fit, quality.
 constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.7, ShareOfFilling = 0.02, ShareOfQuality = 0.08;
