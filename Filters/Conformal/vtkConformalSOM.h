@@ -62,6 +62,9 @@
  *   and what else stands on it, see the property RemoveGround.
  * - field data "NumberOfOtherLayerPoints" (1 value): number of points that were left out as the
  *   other layer of a shell, see the property Side.
+ * - field data "NumberOfOutliers" (1 value): number of points that were left out before learning,
+ *   because they are far from all others, or off the surface that their neighbors form. Points are
+ *   left out only if at least 0.5 % are far from all others.
  * - field data "UncoveredFraction" (1 value): fraction of the input points that are far from the
  *   mesh. Each point is weighted by the surface area that it represents. Outliers, which are far
  *   from all other points, are not counted.
@@ -77,9 +80,11 @@
  *   is more than 0.02 R.
  * - field data "LayerDistance" (1 value): distance between two layers of input points, as in badly
  *   registered scans, in the unit of the coordinates; 0 if the points form one layer.
- * - field data "MeanQuasiConformalError" and "MaximumQuasiConformalError" (1 value each): mean and
- *   maximum of the ratio of the largest to the smallest stretch of the triangles of the mesh by the
- *   map to the sphere, see vtkConformalDistortion. 1 for a conformal map.
+ * - field data "MeanQuasiConformalError" and "MaximumQuasiConformalError" (1 value each): mean over
+ *   the area of the mesh, and maximum over its triangles, of the ratio of the largest to the
+ * smallest stretch by the map to the sphere, see vtkConformalDistortion. 1 for a conformal map. If
+ * the mean is above 1.3, or the maximum above 100, there is a warning. Slivers (triangles with a
+ * smallest angle below about 6 degrees) are removed from the mesh before the map is computed.
  * - field data "SelfIntersections" (1 value): number of pairs of triangles of an adaptive mesh that
  *   cross each other and have no common vertex. The mesh is smoothed where triangles cross, so that
  *   the value is usually 0.

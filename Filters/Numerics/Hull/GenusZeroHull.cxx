@@ -358,11 +358,47 @@ bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples)
 }
 
 //------------------------------------------------------------------------------
+bool isTorn(const GenusZeroHullResult& hull)
+{
+  // Handles that sparse data have by chance are cut by one or two nodes. The holes of a thin sheet
+  // are cut open from one hole to the next.
+  constexpr Index manyHandles = 4, nodesOfHandle = 3;
+  const Index handles = 1 - hull.EulerNumber;
+  return handles > manyHandles && hull.NumberOfCutNodes >= nodesOfHandle * handles;
+}
+
+namespace
+{
+// Make hulls by Distance with larger offsets, until the holes of thin sheets are closed. Return a
+// hull without triangles if they stay open.
+GenusZeroHullResult hullOfSheets(
+  const TrainingSamples& samples, GenusZeroHullOptions options, const Run& run)
+{
+  constexpr Index fewCutNodes = 8;
+  constexpr double share = 0.5; // of the remaining progress, for each offset
+  double begin = 0.0;
+  for (const double factor : { 1.5, 2.0, 3.0 })
+  {
+    GenusZeroHullOptions wider = options;
+    wider.Offset = std::min(factor * options.Offset, GenusZeroHullLimits::MaximumOffset);
+    const double end = begin + share * (1.0 - begin);
+    GenusZeroHullResult hull = makeGenusZeroHull(samples, wider, run.part(begin, end));
+    begin = end;
+    if (hull.NumberOfCutNodes <= fewCutNodes)
+    {
+      return hull;
+    }
+  }
+  return {};
+}
+}
+
+//------------------------------------------------------------------------------
 GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOptions options,
   GenusZeroHullOptions winding, const Run& run)
 {
-  // Most clouds need no second hull, so it gets little of the progress.
-  constexpr double share = 0.95;
+  // Most clouds need no other hulls, so they get little of the progress.
+  constexpr double share = 0.95, shareOfSecond = 0.97;
   // At most one sample in 4000, such as the end of a limb, may be left out.
   constexpr Index shareOfLimbs = 4000;
   // Noise of thinned points; that of all points is about twice as much.
@@ -379,11 +415,11 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
     }
   }
   GenusZeroHullResult hull = makeGenusZeroHull(samples, options, run.part(0.0, share));
-  if (samples.dimension() < 3 || !seemsWrong(hull, samples))
+  if (samples.dimension() < 3 || !(seemsWrong(hull, samples) || isTorn(hull)))
   {
     return hull;
   }
-  GenusZeroHullResult byAll = makeGenusZeroHull(samples, winding, run.part(share, 1.0));
+  GenusZeroHullResult byAll = makeGenusZeroHull(samples, winding, run.part(share, shareOfSecond));
   if (byAll.Method != HullMethod::WindingNumbers || hasHandles(byAll))
   {
     return hull;
@@ -392,6 +428,14 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   const Index leftOut = hull.Leaks ? usualStrays(samples) : samples.totalSize() / shareOfLimbs;
   const bool better = (hull.Leaks || byAll.Noise <= maximumNoise) &&
     byAll.NumberOfSamplesOutside <= std::max(hull.NumberOfSamplesOutside, leftOut);
+  if (isTorn(hull) && !(better && !isTorn(byAll)))
+  {
+    GenusZeroHullResult wide = hullOfSheets(samples, options, run.part(shareOfSecond, 1.0));
+    if (wide.Triangles.rows() > 0)
+    {
+      return wide;
+    }
+  }
   if (better)
   {
     return byAll;

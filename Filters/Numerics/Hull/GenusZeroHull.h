@@ -134,6 +134,11 @@ bool hasHandles(const GenusZeroHullResult& hull);
 /// - More than 0.5 % of the samples are outside of the surface and not near it.
 bool seemsWrong(const GenusZeroHullResult& hull, const TrainingSamples& samples);
 
+/// Return whether the solid of a hull had many handles that were cut by many nodes: more than four
+/// handles, and at least three nodes for each. A sheet that is thinner than the spacing of the
+/// samples has this property. Between the samples, the solid has holes through the sheet.
+bool isTorn(const GenusZeroHullResult& hull);
+
 /// Compute the fraction of the surface that is due to cuts through handles of the object: the area
 /// of both sides of all cuts, divided by the area of the surface. The fraction is in [0, 1]. Return
 /// 0 if hasHandles() is false.
@@ -172,8 +177,9 @@ double cutFraction(const GenusZeroHullResult& hull);
 GenusZeroHullResult makeGenusZeroHull(
   const TrainingSamples& samples, const GenusZeroHullOptions& options = {}, const Run& run = {});
 
-/// Make the hull by HullMethod::Distance. If seemsWrong() is true for this hull, make a second hull
-/// by HullMethod::WindingNumbers. Return the second hull if it is better, else the first.
+/// Make the hull by HullMethod::Distance. If seemsWrong() or isTorn() is true for this hull, make a
+/// second hull by HullMethod::WindingNumbers. Return the second hull if it is better, else the
+/// first.
 ///
 /// The second hull is better if three conditions hold:
 /// - hasHandles() is false for the second hull. If both hulls have handles, the object has handles.
@@ -181,6 +187,10 @@ GenusZeroHullResult makeGenusZeroHull(
 ///   points are unreliable. If Leaks is true for the first hull, any noise is allowed.
 /// - Few samples are outside of the second hull: not more than outside of the first hull, or at
 ///   most one in 4000. If Leaks is true for the first hull, one in 200 is allowed.
+///
+/// If the first hull is torn, and the second is torn or not better, hulls by HullMethod::Distance
+/// with 1.5, 2 and 3 times the offset are made. The first of them whose handles are cut by at most
+/// eight nodes is returned.
 /// @param[in] options  options for HullMethod::Distance; the member Method is ignored
 /// @param[in] winding  options for HullMethod::WindingNumbers; the member Method is ignored
 GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOptions options,

@@ -4,8 +4,10 @@
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Cloud/FootPoints.h"
+#include "Cloud/Outliers.h"
 #include "Cloud/SampleRotation.h"
 #include "Learn/FirstSurface.h"
+#include "Learn/Fit/Slivers.h"
 #include "Learn/Fit/Untangling.h"
 #include "Learn/Fit/VertexSupport.h"
 #include "Learn/NeuronSearch.h"
@@ -200,6 +202,24 @@ Index countBeyondNoise(
   return count;
 }
 
+/// Remove slivers, which maps to the sphere distort. A vertex made from two others gets the larger
+/// standard error, and the smaller support.
+void removeSliversOf(ConformalSOMResult& result, const Run& run)
+{
+  const SliverRemoval removal = removeSlivers(result, run);
+  const auto renew = [&](std::vector<double>& values, const auto& choose)
+  {
+    const std::vector<double> old = values;
+    for (std::size_t v = 0; v < std::min(values.size(), removal.Sources.size()); ++v)
+    {
+      const auto [a, b] = removal.Sources[v];
+      values[v] = choose(old[a], old[b]);
+    }
+  };
+  renew(result.StandardError, [](double a, double b) { return std::max(a, b); });
+  renew(result.Supported, [](double a, double b) { return std::min(a, b); });
+}
+
 /// Map the surface to the sphere, after it was opened where the samples end.
 void openAndMap(const TrainingSamples& samples, const BorderOptions& opening,
   ConformalSOMResult& result, const Run& run)
@@ -223,35 +243,46 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   checkStart(options, mesh);
   run.report(0.0);
   const bool isGeodesic = meshTypeFor(options, samples) == MeshType::Geodesic;
-  // Progress: learning, removal of self-intersections, conformal map.
-  Steps steps(run, { isGeodesic ? 1.0 : 0.79, isGeodesic ? 0.0 : 0.01, isGeodesic ? 0.0 : 0.2 });
+  // The vertices of the samples' own mesh are no outliers.
+  const bool mayHaveOutliers = !isGeodesic && !(mesh && mesh->SpherePositions.rows() == 0);
+  // Progress: outliers, learning, removal of slivers and self-intersections, conformal map.
+  Steps steps(run,
+    isGeodesic ? std::vector<double>{ 0.0, 1.0, 0.0, 0.0 }
+               : std::vector<double>{ 0.02, 0.77, 0.01, 0.2 });
+  const Run cleaning = steps.next();
+  const TrainingSamples kept = mayHaveOutliers ? withoutOutliers(samples, cleaning) : samples;
   ConformalSOMResult result = options.TrainingMode == TrainingMode::Online
-    ? learnOnline(samples, options, mesh, steps.next())
-    : learnWithNeurons(samples, options, mesh, steps.next());
+    ? learnOnline(kept, options, mesh, steps.next())
+    : learnWithNeurons(kept, options, mesh, steps.next());
   if (!isGeodesic)
   {
     const bool isOwnMesh = result.FromMesh && mesh->SpherePositions.rows() == 0;
     if (result.Noise > 0.0 && result.NumberOfSamplesOutside > 0)
     {
       result.NumberOfSamplesOutside =
-        std::min(result.NumberOfSamplesOutside, countBeyondNoise(samples, result, run.unwatched()));
+        std::min(result.NumberOfSamplesOutside, countBeyondNoise(kept, result, run.unwatched()));
     }
     const Run untangling = steps.next();
+    if (kept.dimension() == 3)
+    {
+      removeSliversOf(result, untangling.unwatched());
+    }
     result.SelfIntersections = untangle(result.Positions, result.Triangles, untangling);
     BorderOptions opening = options.Opening;
     // The triangles of the input define the surface between its points. Flat points have no inside.
-    if (isOwnMesh || samples.dimension() < 3)
+    if (isOwnMesh || kept.dimension() < 3)
     {
       opening.Border = Border::Closed;
     }
-    openAndMap(samples, opening, result, steps.next());
+    openAndMap(kept, opening, result, steps.next());
   }
+  result.NumberOfOutliers = samples.totalSize() - kept.totalSize();
   const Distortion distortion =
     measureDistortion(result.Positions, result.Triangles, result.SpherePositions, run.unwatched());
-  result.MeanQuasiConformalError = distortion.MeanQuasiConformalError;
+  result.MeanQuasiConformalError = distortion.AreaMeanQuasiConformalError;
   result.MaximumQuasiConformalError = distortion.MaximumQuasiConformalError;
   result.HasConformalMap = !isGeodesic;
-  result.Positions = samples.restoreAll(std::move(result.Positions));
+  result.Positions = kept.restoreAll(std::move(result.Positions));
   run.report(1.0);
   return result;
 }

@@ -135,11 +135,14 @@ struct ConformalSOMResult
   /// #N values in [0, 1]: support of each vertex by nearby samples, see supportOfVertices().
   std::vector<double> Supported;
   SurfaceQuality Quality; ///< quality, evaluated by the samples; only in Batch mode
+  /// Number of samples that were left out before learning, see withoutOutliers().
+  /// NumberOfSamplesOutside does not contain them.
+  Index NumberOfOutliers = 0;
   /// Number of pairs of triangles that cross each other, see untangle(); 0 for a geodesic mesh
   Index SelfIntersections = 0;
   int NumberOfStarts = 1; ///< number of start surfaces tried; the best result is returned
-  /// Quasi-conformal error of the map to the sphere: mean and maximum over the triangles, see
-  /// measureDistortion(). 1 is conformal.
+  /// Quasi-conformal error of the map to the sphere: mean over the area of the mesh, and maximum
+  /// over the triangles, see measureDistortion(). 1 is conformal.
   double MeanQuasiConformalError = 1.0;
   double MaximumQuasiConformalError = 1.0;
   /// Whether SpherePositions were computed as a conformal map. False for a geodesic mesh.

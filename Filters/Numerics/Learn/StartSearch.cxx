@@ -12,6 +12,7 @@
 #include "Mesh/VertexNormals.h"
 #include "Search/TriangleTree.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,10 @@ std::string nameOf(Start start)
 
 constexpr double ToleratedWebs = 0.001; // maximum fraction of the area on webs
 
+// Unsupported area, beyond that of another surface, which is as bad as a defect score of 1. If both
+// surfaces fill a hole of the data, their unsupported areas differ by less.
+constexpr double ToleratedExcess = 0.005;
+
 /// Fractions of the progress of one start, measured on scans: first surface, fit, quality.
 constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.7, ShareOfFilling = 0.02, ShareOfQuality = 0.08;
 
@@ -77,6 +82,15 @@ SurfaceQuality evaluateByMesh(const ConformalSOMResult& result, const TrainingSa
   vertices.setNormals(here ? PointView(normals) : PointView());
   return evaluateSurface(vertices, moved(result.Positions, samples, vertices), result.Triangles,
     result.Noise * samples.scale() / vertices.scale(), run);
+}
+
+/// Compute the defect score of a surface, to be compared with that of another surface. The area
+/// without samples beyond that of the other surface is a defect, too. On both sides of a thin
+/// sheet, winding numbers cannot distinguish a good surface from one that bulges.
+double scoreBeside(const ConformalSOMResult& result, const ConformalSOMResult& other)
+{
+  const double excess = result.UnsupportedFraction - other.UnsupportedFraction;
+  return defectScore(result.Quality) + std::max(0.0, excess) / ToleratedExcess;
 }
 
 class StartSearch
@@ -183,7 +197,7 @@ private:
   void keepBetter(ConformalSOMResult result)
   {
     if (!this->Best || this->hasWebs() ||
-      defectScore(result.Quality) < defectScore(this->Best->Quality))
+      scoreBeside(result, *this->Best) < scoreBeside(*this->Best, result))
     {
       this->Best = std::move(result);
       this->BestStart = { this->StartNumber, this->StartName };

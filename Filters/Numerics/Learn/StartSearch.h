@@ -40,9 +40,10 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad.
 ///   This hull is made by the method that was not used for the first hull.
 ///
-/// Of two results, the better one has the lower defectScore(). However, a result with webs is
-/// replaced by the next result, whatever the scores. If the affine rank is below 3, results cannot
-/// be evaluated, and the first one is returned.
+/// Of two results, the better one has the lower defectScore(). For each half percent of unsupported
+/// area (see FittedMesh) that it has beyond the other one, 1 is added to its score. However, a
+/// result with webs is replaced by the next result, whatever the scores. If the affine rank is
+/// below 3, results cannot be evaluated, and the first one is returned.
 ///
 /// If HullMethod is Automatic, the method is selected by chooseHull() of GenusZeroHull.h.
 ///

@@ -105,7 +105,7 @@ void summarize(Distortion& result, const Measured& measured)
   const double sign = covered > 0.0 ? 1.0 : -1.0;
   result.SphereDegree = covered / (4.0 * Pi);
 
-  double angles = 0.0, errors = 0.0, logs = 0.0;
+  double angles = 0.0, errors = 0.0, logs = 0.0, area = 0.0, errorsByArea = 0.0;
   Index count = 0;
   std::vector<char> counts(result.AngleDistortion.size());
   for (std::size_t r = 0; r < counts.size(); ++r)
@@ -124,6 +124,8 @@ void summarize(Distortion& result, const Measured& measured)
     result.AreaDistortion[r] = log;
     angles += result.AngleDistortion[r];
     errors += result.QuasiConformalError[r];
+    area += measured.MeshAreas[r];
+    errorsByArea += measured.MeshAreas[r] * result.QuasiConformalError[r];
     result.MaximumQuasiConformalError =
       std::max(result.MaximumQuasiConformalError, result.QuasiConformalError[r]);
     logs += log;
@@ -135,6 +137,7 @@ void summarize(Distortion& result, const Measured& measured)
   }
   result.MeanAngleDistortion = angles / count;
   result.MeanQuasiConformalError = errors / count;
+  result.AreaMeanQuasiConformalError = errorsByArea / area;
   double squares = 0.0;
   for (std::size_t r = 0; r < counts.size(); ++r)
   {

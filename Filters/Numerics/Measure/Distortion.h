@@ -27,6 +27,9 @@ struct Distortion
   double MeanAngleDistortion = 0.0;
   double MeanQuasiConformalError = 1.0;
   double MaximumQuasiConformalError = 1.0;
+  /// Mean of QuasiConformalError, weighted by the areas of the triangles of the mesh. A few thin
+  /// triangles hardly change this mean.
+  double AreaMeanQuasiConformalError = 1.0;
   double AreaDistortionDeviation = 0.0; ///< standard deviation of AreaDistortion
   /// Number of times that the map covers the sphere, usually 1. If the map is mirrored, the number
   /// is negative.

@@ -627,3 +627,45 @@ TEST(GenusZeroHull, ChoosesByWhatEitherHullShows)
   EXPECT_EQ(closed.Method, HullMethod::WindingNumbers);
   EXPECT_EQ(closed.Positions, hullBy(bowl, HullMethod::WindingNumbers).Positions);
 }
+
+namespace
+{
+// Random points on both sides of a disc of radius 1 and on its rounded rim.
+Points sheet(Index size, double thickness)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const double half = 0.5 * thickness, sides = 2.0 * Pi, rim = 2.0 * Pi * Pi * half;
+  Points points(size, 3);
+  for (Index i = 0; i < size; ++i)
+  {
+    const double angle = 2.0 * Pi * uniform(random), side = uniform(random) < 0.5 ? -1.0 : 1.0;
+    double radius = std::sqrt(uniform(random)), height = side * half;
+    if (uniform(random) * (sides + rim) > sides)
+    {
+      const double tilt = Pi * (uniform(random) - 0.5);
+      radius = 1.0 + half * std::cos(tilt);
+      height = half * std::sin(tilt);
+    }
+    points.row(i) << radius * std::cos(angle), radius * std::sin(angle), height;
+  }
+  return points;
+}
+}
+
+// Between random points, a sheet thinner than their spacing has holes.
+TEST(GenusZeroHull, ClosesTheHolesOfAThinSheet)
+{
+  const Points points = sheet(3000, 0.02);
+  const TrainingSamples samples{ PointView(points) };
+  const GenusZeroHullResult torn = makeGenusZeroHull(samples, spaced(0.025));
+  EXPECT_TRUE(conformal::isTorn(torn));
+  const GenusZeroHullResult hull = conformal::chooseHull(samples, spaced(0.025), spaced(0.025));
+  EXPECT_FALSE(conformal::isTorn(hull));
+  EXPECT_LE(hull.NumberOfCutNodes, 8);
+  EXPECT_EQ(hull.NumberOfSamplesOutside, 0);
+  EXPECT_TRUE(checkGenusZero(hull.Triangles, hull.Positions.rows()).isGenusZero());
+  // Both sides of the hull are on their side of the disc: the tears are gone.
+  const double area = conformal::surfaceArea(hull.Positions, hull.Triangles);
+  EXPECT_LT(area, 1.4 * 2.0 * Pi);
+}

@@ -256,6 +256,29 @@ TEST(ConformalSOM, PlainMapUsesTheWinnersPosition)
   EXPECT_LT((conformalMap - plainMap).rowwise().norm().mean(), 0.02);
 }
 
+// Stray points in a box around the object would hang on its surface in clumps.
+TEST(ConformalSOM, OutliersDoNotSpoilTheMap)
+{
+  constexpr Index count = 8000, outliers = count / 20;
+  Points points(count + outliers, 3);
+  points.topRows(count) = horseshoe(count);
+  conformal::Random random(5);
+  for (Index i = 3 * count; i < points.size(); ++i)
+  {
+    points.data()[i] = 2.4 * random.uniform() - 1.2;
+  }
+  const ConformalSOMOptions options = adaptive(2562);
+  const ConformalSOMResult clean =
+    trainConformalSOM(TrainingSamples(conformal::PointView(points.data(), count)), options);
+  EXPECT_EQ(clean.NumberOfOutliers, 0);
+  const ConformalSOMResult result = trainConformalSOM(TrainingSamples(points), options);
+  EXPECT_GT(result.NumberOfOutliers, outliers * 9 / 10);
+  EXPECT_LT(result.NumberOfOutliers, outliers * 11 / 10);
+  EXPECT_LT(result.MeanQuasiConformalError, 1.05 * clean.MeanQuasiConformalError);
+  EXPECT_GE(result.MaximumQuasiConformalError, result.MeanQuasiConformalError);
+  EXPECT_LT(farthestFromData(points.topRows(count), result), 0.08);
+}
+
 // From the sphere the mesh spans the space between the ends; from the hull it does not.
 TEST(ConformalSOM, WebsAreFoundAndAvoided)
 {

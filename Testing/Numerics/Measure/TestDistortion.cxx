@@ -107,6 +107,10 @@ TEST(Distortion, KnowsSharesOfArea)
   EXPECT_NEAR(distortion.AreaDistortion[1], std::log(3.0 / 4.0), 1e-14);
   EXPECT_NEAR(distortion.AreaDistortionDeviation, 0.5 * std::log(2.0), 1e-14);
   EXPECT_NEAR(distortion.SphereDegree, 0.25, 1e-14); // two octants
+  // The areas of the triangles are 1/2 and 1. The images are equilateral.
+  EXPECT_NEAR(distortion.QuasiConformalError[0], std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(distortion.AreaMeanQuasiConformalError,
+    (distortion.QuasiConformalError[0] + 2.0 * distortion.QuasiConformalError[1]) / 3.0, 1e-12);
 }
 
 // A Moebius transform is conformal; what is left comes from flat triangles and halves with them.
