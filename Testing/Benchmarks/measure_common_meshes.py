@@ -11,17 +11,20 @@ of the build.
 """
 import argparse
 import os
+import sys
 import time
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 
-from conformalsom import vtkConsistentRemesh, vtkGlobalConformalMap, vtkSphericalMorph, vtkSphericalTemplate
-from conformalsom.command import scan_files
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
+from conformalsom import (  # pylint: disable=wrong-import-position
+    vtkConsistentRemesh, vtkGlobalConformalMap, vtkSphericalMorph, vtkSphericalTemplate)
+from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
 
-from known_objects import facet_normals, points_of, triangles_of
+from known_objects import facet_normals, points_of, triangles_of  # pylint: disable=wrong-import-position
 
 
 def parts_through(x, sides, triangles):

@@ -16,10 +16,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 
-from conformalsom import vtkGlobalConformalMap, vtkSurfaceHarmonics
-from conformalsom.command import scan_files
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
+from conformalsom import vtkGlobalConformalMap, vtkSurfaceHarmonics  # pylint: disable=wrong-import-position
+from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
 
-from known_objects import facet_normals, points_of, triangles_of
+from known_objects import facet_normals, points_of, triangles_of  # pylint: disable=wrong-import-position
 
 DEGREE = 12
 

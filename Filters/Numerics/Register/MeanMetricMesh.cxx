@@ -411,6 +411,48 @@ private:
       std::max(fourAreas(side, otherSide, opposite), flat * (side + otherSide) + 1e-300);
   }
 
+  // Normal of a triangle on surface s, not normalized.
+  template <typename A, typename B, typename C>
+  static Vector3 normalOf(const A& a, const B& b, const C& c, Index s)
+  {
+    const Vector3 p = a.template segment<3>(3 * s), q = b.template segment<3>(3 * s),
+                  r = c.template segment<3>(3 * s);
+    return (q - p).cross(r - p);
+  }
+
+  // Count the surfaces on which the triangles (a, b, c) and (b, a, d) form an angle of less than 90
+  // degrees.
+  int folds(int a, int b, int c, int d) const
+  {
+    int count = 0;
+    const auto at = [&](int v) { return this->Coords.col(v); };
+    for (Index s = 0; 3 * s < this->Dimension; ++s)
+    {
+      count += normalOf(at(a), at(b), at(c), s).dot(normalOf(at(b), at(a), at(d), s)) < 0.0;
+    }
+    return count;
+  }
+
+  // Count the folds between the triangles around a point, over all surfaces.
+  int foldsAround(const Coordinates& center, const Ring& ring) const
+  {
+    int count = 0;
+    const auto at = [&](std::size_t i) { return this->Coords.col(ring[i % ring.size()]); };
+    for (Index s = 0; 3 * s < this->Dimension; ++s)
+    {
+      const Vector3 first = normalOf(center, at(0), at(1), s);
+      Vector3 last = first;
+      for (std::size_t i = 1; i < ring.size(); ++i)
+      {
+        const Vector3 normal = normalOf(center, at(i), at(i + 1), s);
+        count += normal.dot(last) < 0.0;
+        last = normal;
+      }
+      count += first.dot(last) < 0.0;
+    }
+    return count;
+  }
+
   bool flip(int a, int b)
   {
     if (!this->Rings.canFlip(a, b))
@@ -423,7 +465,9 @@ private:
                  bc = this->square(b, c), ad = this->square(a, d), bd = this->square(b, d);
     const double before = cotangent(ac, bc, ab) + cotangent(ad, bd, ab);
     const double after = cotangent(ac, ad, cd) + cotangent(bc, bd, cd);
-    if (!(before < -Rounding && after > before + Rounding))
+    const int foldsBefore = this->folds(a, b, c, d), foldsAfter = this->folds(c, d, b, a);
+    const bool isBetter = before < -Rounding && after > before + Rounding;
+    if (foldsAfter > foldsBefore || (foldsAfter == foldsBefore && !isBetter))
     {
       return false;
     }
@@ -524,6 +568,7 @@ private:
     {
       return;
     }
+    const int before = this->foldsAround(this->Coords.col(v), ring);
     Vector3 step = sum / areas;
     for (int attempt = 0; attempt < 3; ++attempt, step *= 0.5)
     {
@@ -539,6 +584,10 @@ private:
       }
       std::vector<int> hints = this->Hints[v];
       const Coordinates x = this->coordinatesAt(to, hints);
+      if (this->foldsAround(x, ring) > before)
+      {
+        continue;
+      }
       this->Places[v] = to;
       this->Hints[v] = std::move(hints);
       this->Coords.col(v) = x;
