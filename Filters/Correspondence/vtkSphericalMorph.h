@@ -23,7 +23,8 @@
  * all surfaces are sampled. The sample of a surface in a direction is the point of the surface that
  * is mapped to this direction. With Path LINEAR, a point of the output is the weighted sum of all
  * samples in one direction, after the surfaces are rotated to a common orientation. If one surface
- * has weight 1, the output consists of the samples of this surface. The output is equal bit by bit for any number of threads.
+ * has weight 1, the output consists of the samples of this surface. The output is equal bit by bit
+ * for any number of threads.
  * - point array "SpherePosition" (double, 3 components): the directions. A texture that is an image
  *   of the sphere can be applied to the output, as to the input surfaces.
  * - every numeric point array that all surfaces have with the same name and number of components.

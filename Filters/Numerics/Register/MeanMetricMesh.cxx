@@ -453,11 +453,20 @@ private:
     return count;
   }
 
-  bool flip(int a, int b)
+  enum class Flip
+  {
+    None,
+    ToDelaunay, // made the triangles Delaunay triangles
+    OfFold      // only made fewer surfaces fold between the triangles
+  };
+
+  // Flip a side if that makes its triangles Delaunay triangles without a fold on a further surface,
+  // or if the side is then folded on fewer surfaces.
+  Flip flip(int a, int b)
   {
     if (!this->Rings.canFlip(a, b))
     {
-      return false;
+      return Flip::None;
     }
     const VertexRings::Across across = this->Rings.across(a, b);
     const int c = across.Left, d = across.Right;
@@ -466,17 +475,17 @@ private:
     const double before = cotangent(ac, bc, ab) + cotangent(ad, bd, ab);
     const double after = cotangent(ac, ad, cd) + cotangent(bc, bd, cd);
     const int foldsBefore = this->folds(a, b, c, d), foldsAfter = this->folds(c, d, b, a);
-    const bool isBetter = before < -Rounding && after > before + Rounding;
-    if (foldsAfter > foldsBefore || (foldsAfter == foldsBefore && !isBetter))
+    const bool isDelaunay = !(before < -Rounding && after > before + Rounding);
+    if (foldsAfter > foldsBefore || (foldsAfter == foldsBefore && isDelaunay))
     {
-      return false;
+      return Flip::None;
     }
     if (!this->isValid(c, a, d) || !this->isValid(d, b, c))
     {
-      return false;
+      return Flip::None;
     }
     this->Rings.flip(a, b);
-    return true;
+    return isDelaunay ? Flip::OfFold : Flip::ToDelaunay;
   }
 
   void flipAll()
@@ -498,7 +507,7 @@ private:
   // Flip sides, and sides around flipped ones, until the triangles are Delaunay triangles.
   void flip(std::vector<std::pair<int, int>> pending)
   {
-    std::size_t left = 20 * pending.size() + 1000; // ends the loop if rounding leads in a circle
+    std::size_t left = 6 * pending.size() + 1000; // ends the loop if flips go round in a circle
     while (!pending.empty() && left-- > 0)
     {
       const auto [a, b] = pending.back();
@@ -508,7 +517,8 @@ private:
         continue;
       }
       const VertexRings::Across across = this->Rings.across(a, b);
-      if (this->flip(a, b))
+      // Flips of folds could go round in a circle, so that they are not continued.
+      if (this->flip(a, b) == Flip::ToDelaunay)
       {
         for (const int end : { a, b })
         {

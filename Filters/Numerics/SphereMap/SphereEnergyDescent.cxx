@@ -55,9 +55,9 @@ public:
     }
   }
 
-  SphereEnergyDescentResult descend(const Run& run)
+  SphereEnergyMinimum descend(const Run& run)
   {
-    SphereEnergyDescentResult result;
+    SphereEnergyMinimum result;
     this->Current = this->evaluate(this->Positions);
     double first = 0.0, reached = 0.0; // gain of the first step, and progress
     int sinceFactor = StepsPerFactor;
@@ -324,9 +324,8 @@ private:
 }
 
 //------------------------------------------------------------------------------
-SphereEnergyDescentResult descendSphereEnergy(const Triangles& triangles,
-  const BoundedTriangles& shapes, Points& positions, const SphereEnergyDescentOptions& options,
-  const Run& run)
+SphereEnergyMinimum descendSphereEnergy(const Triangles& triangles, const BoundedTriangles& shapes,
+  Points& positions, const SphereEnergyDescentOptions& options, const Run& run)
 {
   Descent descent(triangles, shapes, positions, options, run);
   return descent.descend(run);

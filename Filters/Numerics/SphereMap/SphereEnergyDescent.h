@@ -21,7 +21,7 @@ struct SphereEnergyDescentOptions
   double Tolerance = 1e-6;
 };
 
-struct SphereEnergyDescentResult
+struct SphereEnergyMinimum
 {
   double Energy = 0.0; ///< energy of the result
   int NumberOfSteps = 0;
@@ -39,9 +39,8 @@ struct SphereEnergyDescentResult
 /// @param[in,out] positions   #V by 3 unit vectors without flipped triangles
 /// @throws Aborted
 /// @post the result does not depend on the number of threads
-SphereEnergyDescentResult descendSphereEnergy(const Triangles& triangles,
-  const BoundedTriangles& shapes, Points& positions, const SphereEnergyDescentOptions& options = {},
-  const Run& run = {});
+SphereEnergyMinimum descendSphereEnergy(const Triangles& triangles, const BoundedTriangles& shapes,
+  Points& positions, const SphereEnergyDescentOptions& options = {}, const Run& run = {});
 }
 
 #endif

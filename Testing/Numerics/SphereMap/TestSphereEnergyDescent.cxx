@@ -22,7 +22,7 @@ using conformal::Index;
 using conformal::Mesh;
 using conformal::Points;
 using conformal::SphereEnergyDescentOptions;
-using conformal::SphereEnergyDescentResult;
+using conformal::SphereEnergyMinimum;
 using conformal::Vector3;
 
 namespace
@@ -114,7 +114,7 @@ TEST(SphereEnergyDescent, TheMapOfASphereIsARotation)
   Points positions = shapes::over(sphere.Positions,
     [](const Vector3& n) { return Vector3(n[0], n[1], n[2] + 0.6).normalized(); });
   EXPECT_GT(meanDifference(sphere, positions, sphere.Positions), 5.0);
-  const SphereEnergyDescentResult result =
+  const SphereEnergyMinimum result =
     descendSphereEnergy(sphere.Triangles, shapes, positions, balanced());
   EXPECT_TRUE(result.Converged);
   EXPECT_LT(result.NumberOfSteps, 60);
@@ -181,7 +181,7 @@ TEST(SphereEnergyDescent, AFoldedMapIsReturnedUnchanged)
   Points folded = sphere.Positions;
   folded.row(40) *= -1.0;
   const Points before = folded;
-  const SphereEnergyDescentResult result =
+  const SphereEnergyMinimum result =
     descendSphereEnergy(sphere.Triangles, shapes, folded, balanced());
   EXPECT_FALSE(result.Converged);
   EXPECT_EQ(result.NumberOfSteps, 0);
