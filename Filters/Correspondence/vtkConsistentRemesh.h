@@ -84,10 +84,10 @@ public:
 
   ///@{
   /**
-   * Type of the mesh of the sphere. ADAPTIVE (default): points that are uniform over one surface
-   * have a certain density on the sphere. The density of the mesh is the mean of these densities
-   * over all surfaces. Regions of the sphere that are large on the surfaces thus have many points.
-   * GEODESIC: points are uniform over the sphere.
+   * Type of the mesh. ADAPTIVE (default): sides of triangles have about equal lengths on the
+   * surfaces, in the root mean square over all surfaces. On one surface, triangles are thin only
+   * where its map differs from the maps of the other surfaces. GEODESIC: points are uniform over
+   * the sphere.
    */
   vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(MeshType, int);

@@ -22,8 +22,9 @@
  * sphere are called directions. The points of one mesh of the sphere are the directions in which
  * all surfaces are sampled. The sample of a surface in a direction is the point of the surface that
  * is mapped to this direction. With Path LINEAR, a point of the output is the weighted sum of all
- * samples in one direction. If one surface has weight 1, the output consists of the samples of this
- * surface. The output is equal bit by bit for any number of threads.
+ * samples in one direction, after the surfaces are rotated to a common orientation. If one surface
+ * has weight 1, the output consists of the samples of this surface. The output is equal bit by bit
+ * for any number of threads.
  * - point array "SpherePosition" (double, 3 components): the directions. A texture that is an image
  *   of the sphere can be applied to the output, as to the input surfaces.
  * - every numeric point array that all surfaces have with the same name and number of components.
@@ -101,9 +102,11 @@ public:
 
   ///@{
   /**
-   * Path of the points. LINEAR (default): points move along straight lines, so that rotating parts
-   * become smaller in the middle of the morph. RIGID: rotation and stretch of each triangle are
-   * interpolated. A linear system then joins the triangles. Rotating parts thus keep their size.
+   * Path of the points. LINEAR (default): the surface rotates as a whole, if the surfaces face
+   * different ways. Relative to this rotation, points move along straight lines, so that parts that
+   * rotate otherwise become smaller in the middle of the morph. RIGID: rotation and stretch of each
+   * triangle are interpolated. A linear system then joins the triangles. Rotating parts thus keep
+   * their size, and the area of the surface is the weighted mean of the areas.
    */
   vtkSetClampMacro(Path, int, LINEAR, RIGID);
   vtkGetMacro(Path, int);
@@ -113,10 +116,10 @@ public:
 
   ///@{
   /**
-   * Type of the mesh of the sphere. ADAPTIVE (default): points that are uniform over one surface
-   * have a certain density on the sphere. The density of the mesh is the mean of these densities
-   * over all surfaces. Regions of the sphere that are large on the surfaces thus have many points.
-   * GEODESIC: points are uniform over the sphere.
+   * Type of the mesh. ADAPTIVE (default): sides of triangles have about equal lengths on the
+   * surfaces, in the root mean square over all surfaces. On one surface, triangles are thin only
+   * where its map differs from the maps of the other surfaces. GEODESIC: points are uniform over
+   * the sphere.
    */
   vtkSetClampMacro(MeshType, int, GEODESIC, ADAPTIVE);
   vtkGetMacro(MeshType, int);

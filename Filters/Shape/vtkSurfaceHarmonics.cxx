@@ -242,6 +242,7 @@ void AddAlignment(vtkFieldData* data, const conformal::HarmonicAlignment& alignm
   glue::AddTuple(data, "MapRotation", map.data(), 9);
   glue::AddTuple(data, "SurfaceRotation", surface.data(), 9);
   glue::AddTuple(data, "SurfaceCenter", center.data(), 3);
+  glue::AddNumber(data, "AxisEndMargin", alignment.EndMargin);
 }
 
 double RootMeanSquareDistance(const conformal::MappedMesh& mesh, const conformal::Points& rebuilt)

@@ -57,6 +57,9 @@
  *   components): the transforms that Alignment applied. A point s of the surface with the position
  *   p on the sphere moves to SurfaceRotation (s - SurfaceCenter). Its position on the sphere
  *   becomes MapRotation p.
+ * - "AxisEndMargin" (1 value): how clearly Alignment without a reference chose the ends of the
+ *   axes, in [0, 4]. If the value is below about 0.02, another mesh of the same surface may give
+ *   other ends. The value is 0 with a reference, or without Alignment.
  *
  * The coefficients are a least-squares solution over the points of the surface, weighted by area.
  * Suppose that a surface is a sum of harmonics up to degree L, and that its edges on the sphere are
@@ -154,9 +157,11 @@ public:
    * of the surface's ellipsoid are matched to those of the reference's ellipsoid. Of the four
    * rotations, the one with the highest correlation between surface and reference is chosen. If the
    * lengths of two axes differ by less than a tenth, rotations about the third axis are also tried.
-   * Without a reference, the longest and the middle axis point to the side on which the surface
-   * extends farther. The third moment of an axis, the integral over the sphere of the cubed
-   * coordinate along the axis, is positive if the axis points to this side.
+   * Without a reference, the axes point to the sides on which the surface extends farther. The
+   * skewness along an axis is the integral of the cubed coordinate over the area of the surface,
+   * divided by the integral of its absolute value. Of the four rotations, the one with the largest
+   * sum of the skewness along the three axes is chosen. Field data "AxisEndMargin" is the
+   * difference of this sum from that of the next rotation.
    */
   vtkSetClampMacro(Alignment, int, NONE, MAP_AND_SURFACE);
   vtkGetMacro(Alignment, int);

@@ -1,11 +1,14 @@
 #include "Harmonics/HarmonicAlignment.h"
 
 #include "Harmonics/HarmonicGrid.h"
+#include "Harmonics/HarmonicSurface.h"
 #include "Harmonics/SphericalHarmonics.h"
+#include "Linear/EdgeWeights.h"
 
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -51,28 +54,64 @@ EllipsoidAxes axesOf(const Columns& coefficients)
   axes.OnSphere = svd.matrixV();
   axes.InSpace = svd.matrixU();
   axes.Lengths = svd.singularValues();
+  for (Matrix3d* frame : { &axes.OnSphere, &axes.InSpace })
+  {
+    frame->col(2) = frame->col(0).cross(frame->col(1));
+  }
+  return axes;
+}
 
-  const Columns shape = shapeOf(coefficients, ComparedDegree);
-  const HarmonicGrid grid(3 * ComparedDegree);
-  const Columns places = grid.synthesize(shape) * axes.InSpace;
-  const Columns cubes = places.array().cube();
-  const Eigen::RowVectorXd moments = grid.analyze(cubes, 0);
-  const Eigen::RowVectorXd sizes = grid.analyze(cubes.cwiseAbs(), 0);
+// Compute the skewness of a surface along axes through its center: the third moment, divided by the
+// third absolute moment. Moments are integrals over the area of the surface.
+Vector3 skewnessAlong(const Matrix3d& inSpace, const Columns& coefficients)
+{
+  constexpr int frequency = 24;
+  const HarmonicSurface surface =
+    makeHarmonicSurface(shapeOf(coefficients, ComparedDegree), frequency);
+  const Eigen::VectorXd areas = vertexAreas(surface.Positions, surface.Triangles);
+  const Eigen::RowVector3d center = areas.transpose() * surface.Positions / areas.sum();
+  const Points along = (surface.Positions.rowwise() - center) * inSpace;
+  const Points cubes = along.array().cube();
+  const Vector3 moments = cubes.transpose() * areas, sizes = cubes.cwiseAbs().transpose() * areas;
+  constexpr double noExtent = 1e-300;
+  return moments.cwiseQuotient(sizes.cwiseMax(noExtent));
+}
+
+// Choose the ends of the axes. Of the four choices that keep the frames right-handed, the best one
+// has the largest sum of the skewness along the axes.
+// @return difference of the largest and the second-largest sum
+double chooseEnds(EllipsoidAxes& axes, const Columns& coefficients)
+{
+  constexpr double asGoodAsNone = 1e-3; // error of the integrals
+  // Without skewness, the coordinate of largest magnitude on the sphere is positive at the end.
   for (int k = 0; k < 2; ++k)
   {
-    constexpr double asGoodAsNone = 1e-9;
     Index largest = 0;
     axes.OnSphere.col(k).cwiseAbs().maxCoeff(&largest);
-    const bool isSymmetric = std::abs(moments[k]) <= asGoodAsNone * sizes[k];
-    if ((isSymmetric ? axes.OnSphere(largest, k) : moments[k]) < 0.0)
+    if (axes.OnSphere(largest, k) < 0.0)
     {
       axes.OnSphere.col(k) *= -1.0;
       axes.InSpace.col(k) *= -1.0;
     }
   }
-  axes.OnSphere.col(2) = axes.OnSphere.col(0).cross(axes.OnSphere.col(1));
-  axes.InSpace.col(2) = axes.InSpace.col(0).cross(axes.InSpace.col(1));
-  return axes;
+  const auto complete = [](Matrix3d& frame) { frame.col(2) = frame.col(0).cross(frame.col(1)); };
+  complete(axes.OnSphere);
+  complete(axes.InSpace);
+  const Vector3 skewness = skewnessAlong(axes.InSpace, coefficients);
+  const std::array<Vector3, 4> choices = { Vector3(1.0, 1.0, 1.0), Vector3(1.0, -1.0, -1.0),
+    Vector3(-1.0, 1.0, -1.0), Vector3(-1.0, -1.0, 1.0) };
+  std::array<double, 4> sums{};
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    sums[i] = skewness.dot(choices[i]);
+    best = sums[i] > sums[best] + asGoodAsNone ? i : best;
+  }
+  axes.OnSphere = axes.OnSphere * choices[best].asDiagonal();
+  axes.InSpace = axes.InSpace * choices[best].asDiagonal();
+  const double sum = sums[best];
+  sums[best] = -3.0;
+  return std::max(0.0, sum - *std::max_element(sums.begin(), sums.end()));
 }
 
 Matrix3d turn(double angle, int axis)
@@ -169,9 +208,10 @@ Columns rotateHarmonics(const Columns& coefficients, const Matrix3d& rotation, c
 //------------------------------------------------------------------------------
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients)
 {
-  const EllipsoidAxes axes = axesOf(coefficients);
+  EllipsoidAxes axes = axesOf(coefficients);
   const Vector3 center = coefficients.row(0) / std::sqrt(4.0 * Pi);
-  return { axes.OnSphere.transpose(), axes.InSpace.transpose(), center };
+  const double margin = coefficients.rows() < 4 ? 0.0 : chooseEnds(axes, coefficients);
+  return { axes.OnSphere.transpose(), axes.InSpace.transpose(), center, margin };
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,9 @@ struct HarmonicAlignment
   Eigen::Matrix3d MapRotation = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d SurfaceRotation = Eigen::Matrix3d::Identity();
   Vector3 Center = Vector3::Zero();
+  /// Of alignToEllipsoid(): how clearly the ends of the axes are chosen, in [0, 4]. If the margin
+  /// is near 0, small changes of the surface may exchange the ends of two axes.
+  double EndMargin = 0.0;
 };
 
 /// Align a surface with the coordinate axes by its ellipsoid, as in \cite Brechbuehler1995 and in
@@ -35,13 +38,18 @@ struct HarmonicAlignment
 /// and shortest axis of the ellipsoid become the x, y and z axis. The map is rotated, too: the
 /// positive end of each axis is mapped to the same axis of the sphere.
 ///
-/// Each axis has two ends, one of which becomes the positive end. On the longest and the middle
-/// axis, the positive end is the one to which the surface extends farther. The sign of the third
-/// moment determines this end. The third moment is the cubed coordinate along the axis, integrated
-/// over the sphere. If the third moment is zero, the ends are compared by their positions on the
-/// sphere before the rotation. At the positive end, the sphere coordinate of largest magnitude is
-/// positive. The shortest axis completes a right-handed frame. If two axes have equal lengths,
-/// their order is arbitrary.
+/// Each axis has two ends, one of which becomes the positive end. Four choices keep the frame of
+/// the axes right-handed. The skewness along an axis is the third moment divided by the third
+/// absolute moment, about the center of the surface's area. Moments are integrals over the area of
+/// the surface that the harmonics up to degree 12 define. The choice with the largest sum of the
+/// skewness along the three positive axes is selected. EndMargin is the difference of the largest
+/// and the second-largest sum. If sums are equal, the ends of the longest and the middle axis are
+/// compared by their positions on the sphere before the rotation. At the positive end, the sphere
+/// coordinate of largest magnitude is positive. If two axes have equal lengths, their order is
+/// arbitrary.
+///
+/// Implementation note: integrals over the sphere would weight the surface by its map. Limbs, which
+/// distinguish the ends best, are small on the sphere.
 /// @param[in] coefficients  (L + 1)^2 by 3 coefficients of positions
 HarmonicAlignment alignToEllipsoid(const Columns& coefficients);
 

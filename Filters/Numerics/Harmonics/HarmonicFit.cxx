@@ -47,14 +47,15 @@ Triangles trianglesOnSphere(const MappedMesh& mesh, const Run& run)
   return triangles;
 }
 
-// Samples of the surface and its area: small triangles at their vertices, large triangles on the
-// grid.
+// Samples of the surface: the vertices, and points inside large triangles. Rotations of the sphere
+// rotate the samples, and change nothing else.
 struct SurfaceSamples
 {
-  Eigen::VectorXd VertexAreas;
-  Columns Values;          ///< values at the grid nodes, linear in each triangle
-  Eigen::VectorXd Density; ///< area of the surface per area of the sphere, at the grid nodes
-  Eigen::VectorXd Counted; ///< Density in large triangles, 0 in small triangles
+  Points Directions;     ///< vertices first, then points inside large triangles
+  Eigen::VectorXd Areas; ///< area of the surface that each sample represents
+  Columns Values;        ///< values at the samples, linear in each triangle
+  /// Area of the surface per area of the sphere, at the grid nodes; only for the preconditioner
+  Eigen::VectorXd Density;
 };
 
 double longestSide(const Points& positions, const Triangles& triangles, Index triangle)
@@ -69,58 +70,144 @@ double longestSide(const Points& positions, const Triangles& triangles, Index tr
   return longest;
 }
 
-// Find the small triangles, and distribute their areas to their vertices.
-std::vector<char> countSmallTriangles(
-  const MappedMesh& mesh, const Triangles& triangles, double longest, Eigen::VectorXd& vertexAreas)
+// Part of a large triangle.
+struct Part
 {
-  std::vector<char> isSmall(triangles.rows());
-  vertexAreas = Eigen::VectorXd::Zero(mesh.Positions.rows());
+  Eigen::Matrix3d Corners;     // on the sphere, one per column
+  Eigen::Matrix3d Barycentric; // coordinates of the corners in the triangle, one per column
+  double Area;                 // area on the surface
+
+  // Return the square of the longest side on the sphere, opposite corner k. If sides are equally
+  // long up to rounding, the first is chosen, so that rotations of the sphere do not matter.
+  double longest(int& k) const
+  {
+    constexpr double longer = 1.0 + 1e-9;
+    double longest = 0.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double square =
+        (this->Corners.col(next(i)) - this->Corners.col(previous(i))).squaredNorm();
+      if (square > longer * longest)
+      {
+        longest = square;
+        k = i;
+      }
+    }
+    return longest;
+  }
+
+  // Return the half at corner next(k), after the side opposite corner k is divided in its middle.
+  // With k and its neighbor exchanged by the caller, the other half.
+  Part half(int keptCorner, int movedCorner) const
+  {
+    Part result = *this;
+    result.Corners.col(movedCorner) =
+      (this->Corners.col(keptCorner) + this->Corners.col(movedCorner)).normalized();
+    result.Barycentric.col(movedCorner) =
+      0.5 * (this->Barycentric.col(keptCorner) + this->Barycentric.col(movedCorner));
+    result.Area = 0.5 * this->Area;
+    return result;
+  }
+};
+
+struct InnerSample
+{
+  Vector3 Direction, Barycentric;
+  Index Triangle;
+  double Area;
+};
+
+// Divide a large triangle at the middle of its longest side, and so on, until no side on the sphere
+// is longer than a limit. The centers of the parts are samples.
+void sampleInside(const MappedMesh& mesh, const Triangles& triangles, Index triangle,
+  double longest, std::vector<InnerSample>& samples)
+{
+  Part whole{ Eigen::Matrix3d(), Eigen::Matrix3d::Identity(),
+    areaVector(mesh.Positions, triangles, triangle).norm() };
+  for (int k = 0; k < 3; ++k)
+  {
+    whole.Corners.col(k) = mesh.SpherePositions.row(triangles(triangle, k));
+  }
+  std::vector<Part> parts = { whole };
+  while (!parts.empty())
+  {
+    const Part part = parts.back();
+    parts.pop_back();
+    int k = 0;
+    if (part.longest(k) > longest * longest)
+    {
+      parts.push_back(part.half(next(k), previous(k)));
+      parts.push_back(part.half(previous(k), next(k)));
+      continue;
+    }
+    samples.push_back({ part.Corners.rowwise().sum().normalized(),
+      part.Barycentric.rowwise().sum() / 3.0, triangle, part.Area });
+  }
+}
+
+// Sample small triangles at their vertices, and large triangles inside.
+void addSamples(const MappedMesh& mesh, const Triangles& triangles, const Columns& values,
+  double longest, SurfaceSamples& samples)
+{
+  std::vector<InnerSample> inner;
+  const Index size = mesh.Positions.rows();
+  Eigen::VectorXd vertexAreas = Eigen::VectorXd::Zero(size);
   for (Index t = 0; t < triangles.rows(); ++t)
   {
-    isSmall[t] = longestSide(mesh.SpherePositions, triangles, t) <= longest ? 1 : 0;
+    if (longestSide(mesh.SpherePositions, triangles, t) > longest)
+    {
+      sampleInside(mesh, triangles, t, longest, inner);
+      continue;
+    }
     const double share = areaVector(mesh.Positions, triangles, t).norm() / 3.0;
-    for (int k = 0; k < 3 && isSmall[t] != 0; ++k)
+    for (int k = 0; k < 3; ++k)
     {
       vertexAreas[triangles(t, k)] += share;
     }
   }
-  return isSmall;
+  const Index all = size + static_cast<Index>(inner.size());
+  samples.Directions.resize(all, 3);
+  samples.Areas.resize(all);
+  samples.Values = Columns::Zero(all, values.cols());
+  samples.Directions.topRows(size) = mesh.SpherePositions;
+  samples.Areas.head(size) = vertexAreas;
+  samples.Values.topRows(size) = values;
+  for (std::size_t i = 0; i < inner.size(); ++i)
+  {
+    const Index row = size + static_cast<Index>(i);
+    samples.Directions.row(row) = inner[i].Direction;
+    samples.Areas[row] = inner[i].Area;
+    for (int k = 0; k < 3; ++k)
+    {
+      samples.Values.row(row) +=
+        inner[i].Barycentric[k] * values.row(triangles(inner[i].Triangle, k));
+    }
+  }
 }
 
 SurfaceSamples sampleSurface(const MappedMesh& mesh, const Triangles& triangles,
   const Columns& values, const HarmonicGrid& grid, double longest, const Run& run)
 {
   constexpr Index blockSize = 512;
-  Steps steps(run, { 0.1, 0.8, 0.1 }); // progress: small triangles, locator, samples
+  Steps steps(run, { 0.1, 0.8, 0.1 }); // progress: samples, locator, density
   steps.next();
   SurfaceSamples samples;
-  const std::vector<char> isSmall =
-    countSmallTriangles(mesh, triangles, longest, samples.VertexAreas);
+  addSamples(mesh, triangles, values, longest, samples);
   const SphereLocator locator(mesh.SpherePositions, triangles, steps.next());
   const Run sampling = steps.next();
   const Points directions = grid.directions();
-  const double share = 4.0 * Pi / static_cast<double>(grid.size()), minimumArea = 1e-200;
-  samples.Values.resize(grid.size(), values.cols());
+  const double minimumArea = 1e-200;
   samples.Density.resize(grid.size());
-  samples.Counted.resize(grid.size());
   forBlocksReporting(sampling, grid.size(), blockSize,
     [&](Index begin, Index end)
     {
       int hint = -1;
       for (Index i = begin; i < end; ++i)
       {
-        const SphereLocation at = locator.locate(directions.row(i), hint);
-        hint = at.Triangle;
-        samples.Values.row(i).setZero();
-        for (int k = 0; k < 3; ++k)
-        {
-          samples.Values.row(i) += at.Barycentric[k] * values.row(triangles(hint, k));
-        }
+        hint = locator.locate(directions.row(i), hint).Triangle;
         const double area = areaVector(mesh.Positions, triangles, hint).norm();
         const double onSphere = areaVector(mesh.SpherePositions, triangles, hint).norm();
         samples.Density[i] = area / std::max(onSphere, minimumArea);
-        // A node in a sliver represents at most the area of the sliver.
-        samples.Counted[i] = isSmall[hint] != 0 ? 0.0 : area / std::max(onSphere, share);
       }
     });
   return samples;
@@ -191,8 +278,8 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
     sampleSurface(mesh, triangles, values, grid, degree > 0 ? Pi / degree : 2.0, steps.next());
 
   const Columns masses =
-    harmonicMoments(mesh.SpherePositions, samples.VertexAreas, 2 * degree, steps.next());
-  const Eigen::VectorXd density = grid.synthesize(masses, run.unwatched()) + samples.Counted;
+    harmonicMoments(samples.Directions, samples.Areas, 2 * degree, steps.next());
+  const Eigen::VectorXd density = grid.synthesize(masses, run.unwatched());
   const double area = std::sqrt(4.0 * Pi) * grid.analyze(density, 0, run.unwatched())(0, 0);
   if (!(area > 0.0))
   {
@@ -208,9 +295,8 @@ Columns fitHarmonics(const MappedMesh& mesh, const Columns& values, int degree, 
     return grid.analyze(product, degree, run.unwatched());
   };
 
-  Columns moments = harmonicMoments(
-    mesh.SpherePositions, samples.VertexAreas.asDiagonal() * values, degree, steps.next());
-  moments += grid.analyze(samples.Counted.asDiagonal() * samples.Values, degree, run.unwatched());
+  const Columns moments = harmonicMoments(
+    samples.Directions, samples.Areas.asDiagonal() * samples.Values, degree, steps.next());
   if (!moments.allFinite())
   {
     throw std::invalid_argument("values are too large for their harmonics");

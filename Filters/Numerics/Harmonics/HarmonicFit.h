@@ -21,7 +21,10 @@ namespace conformal
 /// wavelength. A small triangle is represented by its vertices, each with a third of the area. If
 /// all triangles are small, a fit to the values of a function of degree L reproduces this function
 /// up to rounding. In larger triangles, vertices alone would leave the functions undetermined.
-/// Larger triangles are therefore also sampled inside, with linearly interpolated values.
+/// Larger triangles are therefore divided at the middles of their longest sides, until all parts
+/// are small. Each part is represented by its center, with the linearly interpolated values. If the
+/// map or the surface is rotated, the samples rotate, too. powerPerDegree() of the result then
+/// changes only by rounding.
 ///
 /// The normal equations are solved by conjugate gradients \cite Hestenes1952. The area density is
 /// the area of the surface per area of the sphere. Let f be a function. The matrix of the equations

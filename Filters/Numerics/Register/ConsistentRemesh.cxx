@@ -4,6 +4,7 @@
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
+#include "Register/MeanMetricMesh.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "Sphere/SphereCoverage.h"
 #include "Sphere/SphereDensity.h"
@@ -42,15 +43,11 @@ Placed placed(const MappedMesh& surface, std::size_t number, const Run& run)
   return result;
 }
 
-Mesh commonSphere(
-  const std::vector<MappedMesh>& surfaces, const ConsistentRemeshOptions& options, const Run& run)
+// Build a mesh of the sphere whose points are dense where the surfaces are large on average.
+Mesh denseSphere(const std::vector<MappedMesh>& surfaces, Index numberOfPoints, const Run& run)
 {
-  if (options.MeshType == RemeshMeshType::Geodesic)
-  {
-    return makeGeodesicSphere(options.Frequency, run);
-  }
   AdaptiveSphereOptions sphere;
-  sphere.NumberOfPoints = options.NumberOfPoints;
+  sphere.NumberOfPoints = numberOfPoints;
   // Progress: the density of each surface, then the mean density, then the sphere mesh.
   std::vector<double> shares(surfaces.size(), 0.2 / static_cast<double>(surfaces.size()));
   shares.insert(shares.end(), { 0.1, 0.7 });
@@ -66,12 +63,25 @@ Mesh commonSphere(
   return makeAdaptiveSphere(density, sphere, steps.next());
 }
 
-void sample(
-  const MappedMesh& surface, const Triangles& triangles, ConsistentMeshes& meshes, const Run& run)
+Mesh commonSphere(const std::vector<MappedMesh>& surfaces,
+  const std::vector<LocatedSurface>& located, const ConsistentRemeshOptions& options,
+  const Run& run)
 {
+  if (options.MeshType == RemeshMeshType::Geodesic)
+  {
+    return makeGeodesicSphere(options.Frequency, run);
+  }
+  Steps steps(run, { 0.3, 0.7 });
+  const Mesh start = denseSphere(surfaces, options.NumberOfPoints, steps.next());
+  return remeshByMeanMetric(located, start, options.NumberOfPoints, steps.next());
+}
+
+void sample(const LocatedSurface& located, ConsistentMeshes& meshes, const Run& run)
+{
+  const MappedMesh& surface = *located.Surface;
+  const Triangles& triangles = *located.Triangles;
   const Points& directions = meshes.Sphere.Positions;
-  Steps steps(run, { 0.7, 0.2, 0.1 }); // progress: locator, positions, weights
-  const SphereLocator locator(surface.SpherePositions, triangles, steps.next());
+  Steps steps(run, { 0.7, 0.3 }); // progress: positions, weights
   std::vector<SphereLocation> locations(directions.rows());
   Points positions(directions.rows(), 3);
   forBlocksReporting(steps.next(), directions.rows(), BlockSize,
@@ -79,7 +89,7 @@ void sample(
     {
       for (Index i = begin; i < end; ++i)
       {
-        locations[i] = locator.locate(directions.row(i));
+        locations[i] = located.Locator->locate(directions.row(i));
         const auto ids = triangles.row(locations[i].Triangle);
         const Vector3& l = locations[i].Barycentric;
         positions.row(i) = l[0] * surface.Positions.row(ids[0]) +
@@ -108,8 +118,8 @@ ConsistentMeshes remeshConsistently(
     throw std::invalid_argument("there is no surface to remesh");
   }
   const bool isAdaptive = options.MeshType == RemeshMeshType::Adaptive;
-  // Progress: checks of the maps, then the sphere mesh, then each surface.
-  std::vector<double> shares = { 0.2, isAdaptive ? 2.4 : 0.05 };
+  // Progress: checks of the maps, locators, then the sphere mesh, then each surface.
+  std::vector<double> shares = { 0.2, 0.4, isAdaptive ? 8.0 : 0.05 };
   shares.insert(shares.end(), surfaces.size(), 0.75 / static_cast<double>(surfaces.size()));
   Steps steps(run, shares);
   const Run checking = steps.next();
@@ -126,11 +136,21 @@ ConsistentMeshes remeshConsistently(
     }
     checking.report(static_cast<double>(all.size()) / static_cast<double>(surfaces.size()));
   }
-  ConsistentMeshes meshes;
-  meshes.Sphere = commonSphere(surfaces, options, steps.next());
+  const Run placing = steps.next();
+  std::vector<SphereLocator> locators;
+  std::vector<LocatedSurface> located;
+  locators.reserve(surfaces.size());
   for (std::size_t s = 0; s < surfaces.size(); ++s)
   {
-    sample(surfaces[s], all[s].Triangles, meshes, steps.next());
+    locators.emplace_back(surfaces[s].SpherePositions, all[s].Triangles, run.unwatched());
+    located.push_back({ &surfaces[s], &all[s].Triangles, &locators.back() });
+    placing.report(static_cast<double>(s + 1) / static_cast<double>(surfaces.size()));
+  }
+  ConsistentMeshes meshes;
+  meshes.Sphere = commonSphere(surfaces, located, options, steps.next());
+  for (const LocatedSurface& surface : located)
+  {
+    sample(surface, meshes, steps.next());
   }
   if (all.front().IsMirrored)
   {

@@ -22,9 +22,8 @@ namespace conformal
 enum class RemeshMeshType
 {
   Geodesic, ///< geodesic sphere (a subdivided icosahedron), with equal density everywhere
-  /// The mesh is adapted to all surfaces. If points are spread evenly over one surface, the map
-  /// gives these points some density on the sphere. The density of the common mesh is the mean of
-  /// the densities for all surfaces.
+  /// Triangles whose sides have about equal lengths on the surfaces, in the root mean square over
+  /// all surfaces, see remeshByMeanMetric()
   Adaptive
 };
 

@@ -72,17 +72,6 @@ Active activeShapes(
   return active;
 }
 
-/// Blend shapes or centers linearly.
-Points linearBlend(const Active& active)
-{
-  Points sum = active.Weights[0] * *active.Shapes[0];
-  for (std::size_t s = 1; s < active.Shapes.size(); ++s)
-  {
-    sum += active.Weights[s] * *active.Shapes[s];
-  }
-  return sum;
-}
-
 Vector3 weighted(const std::vector<double>& weights, const std::vector<Vector3>& vectors)
 {
   Vector3 sum = Vector3::Zero();
@@ -158,6 +147,44 @@ Points cotangentsOf(const Wanted& wanted)
   return cotangents;
 }
 
+/// Rotate all shapes to a common orientation, the mean of their orientations, and average them. The
+/// center of the result is the mean of the centers.
+Points alignedBlend(const Active& active)
+{
+  const Eigen::Matrix3d whole = rotationOf(weighted(active.Weights, active.Turns));
+  Points shape = Points::Zero(active.Shapes[0]->rows(), 3);
+  for (std::size_t s = 0; s < active.Shapes.size(); ++s)
+  {
+    const Eigen::Matrix3d turn = whole * rotationOf(active.Turns[s]).transpose();
+    shape += active.Weights[s] * (active.Shapes[s]->rowwise() - active.Centers[s].transpose()) *
+      turn.transpose();
+  }
+  shape.rowwise() += weighted(active.Weights, active.Centers).transpose();
+  return shape;
+}
+
+/// Compute the factor by which a blended shape must grow so that its area is the mean of the areas.
+/// Where the shapes are stretched in different directions, the mean triangle is too large.
+double sizeFactor(const Points& shape, const Active& active, const Triangles& triangles)
+{
+  const auto areaOf = [&](const Points& points)
+  {
+    double sum = 0.0;
+    for (Index r = 0; r < triangles.rows(); ++r)
+    {
+      sum += areaVector(points, triangles, r).norm();
+    }
+    return sum;
+  };
+  double wanted = 0.0;
+  for (std::size_t s = 0; s < active.Shapes.size(); ++s)
+  {
+    wanted += active.Weights[s] * areaOf(*active.Shapes[s]);
+  }
+  const double area = areaOf(shape);
+  return area > 0.0 && wanted > 0.0 ? std::sqrt(wanted / area) : 1.0;
+}
+
 Points rigidBlend(const Active& active, const Mesh& sphere, const Run& run)
 {
   // Progress: blend, triangles, forces, matrix factor, solution.
@@ -166,14 +193,7 @@ Points rigidBlend(const Active& active, const Mesh& sphere, const Run& run)
   const Triangles& triangles = sphere.Triangles;
   const Eigen::VectorXd areas = commonAreas(sphere, active.Shapes);
   const Vector3 center = weighted(active.Weights, active.Centers);
-  const Eigen::Matrix3d whole = rotationOf(weighted(active.Weights, active.Turns));
-  Points shape = Points::Zero(sphere.Positions.rows(), 3);
-  for (std::size_t s = 0; s < active.Shapes.size(); ++s)
-  {
-    const Eigen::Matrix3d turn = whole * rotationOf(active.Turns[s]).transpose();
-    shape += active.Weights[s] * (active.Shapes[s]->rowwise() - active.Centers[s].transpose()) *
-      turn.transpose();
-  }
+  Points shape = alignedBlend(active).rowwise() - center.transpose();
   const Wanted wanted = wantedTriangles(active, sphere, steps.next());
 
   steps.next();
@@ -202,6 +222,7 @@ Points rigidBlend(const Active& active, const Mesh& sphere, const Run& run)
   steps.next();
   solver.solve(correction);
   shape += correction;
+  shape *= sizeFactor(shape, active, triangles);
   const Vector3 off = center - Vector3(shape.transpose() * areas / areas.sum());
   shape.rowwise() += off.transpose();
   return shape;
@@ -252,17 +273,12 @@ Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
     run.report(1.0);
     return shapes[whole - weights.begin()];
   }
+  const Active active = activeShapes(sphere, shapes, weights);
   if (options.Path == MorphPath::Rigid)
   {
-    return rigidBlend(activeShapes(sphere, shapes, weights), sphere, run);
-  }
-  Active active;
-  for (std::size_t s = 0; s < shapes.size(); ++s)
-  {
-    active.Shapes.push_back(&shapes[s]);
-    active.Weights.push_back(weights[s]);
+    return rigidBlend(active, sphere, run);
   }
   run.report(1.0);
-  return linearBlend(active);
+  return alignedBlend(active);
 }
 }

@@ -15,7 +15,9 @@ namespace conformal
 /// Path of a point from one shape to the other.
 enum class MorphPath
 {
-  Linear, ///< straight line; parts that rotate shrink in between
+  /// The whole shape rotates gradually. In a frame that rotates with it, points move along straight
+  /// lines. Parts that rotate relative to the whole shape shrink in between.
+  Linear,
   Rigid ///< path on which triangles rotate and stretch gradually; parts that rotate keep their size
 };
 
@@ -33,9 +35,13 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 
 /// Blend shapes by weights.
 ///
-/// With MorphPath::Linear, positions are averaged. MorphPath::Rigid blends triangles as follows:
-/// 1. For each shape, find the rotation that best aligns the first shape with this shape. Rotate
-///    the shape back by this rotation.
+/// For each shape, the rotation is found that best aligns the first shape with this shape. Vertices
+/// are weighted by area. MorphPath::Linear rotates each shape back by its rotation, averages the
+/// shapes, and applies the mean rotation to the result. The mean rotation is that of the averaged
+/// logarithms (rotation vectors). Shapes that face different ways therefore do not shrink.
+///
+/// MorphPath::Rigid blends triangles as follows:
+/// 1. Rotate each shape back by its rotation.
 /// 2. Compute the deformation gradient of each triangle: the linear map from the triangle of the
 ///    first shape to that of this shape. The gradient also maps the unit normal of one triangle to
 ///    that of the other. Split the gradient into a rotation and a stretch (polar decomposition).
@@ -45,6 +51,10 @@ std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 /// 4. Assemble the blended triangles to a shape by least squares, which is one linear system. The
 ///    weights of this system are cotangents of triangle angles, clamped to [MinimumCotangent,
 ///    MaximumCotangent].
+/// 5. Scale the shape so that its area is the weighted mean of the areas of the shapes.
+///
+/// Implementation note: step 5 is not part of \cite Xu2005. The mean of triangles that are
+/// stretched in different directions is larger than the triangles.
 ///
 /// A rotation has several logarithms, which differ by multiples of 360 degrees. The logarithms of
 /// neighboring triangles are chosen to be similar. With this choice, parts can rotate by more than

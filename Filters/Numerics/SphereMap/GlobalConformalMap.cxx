@@ -41,6 +41,9 @@ Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
 {
   constexpr Index fewRelaxations = 10;
   constexpr double share = 0.8; // fraction of the remaining progress for each attempt
+  // A map that shall be conformal needs no minimum of an energy of areas.
+  const SphereMapFinish finish =
+    minimumBalance > 0.0 ? SphereMapFinish::Minimum : SphereMapFinish::Sweeps;
   double begin = 0.0, last = -1.0;
   for (double balance : { minimumBalance, 0.02, 0.05, 0.2, 0.5 })
   {
@@ -54,6 +57,7 @@ Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
       ProgressiveSphereMapOptions options;
       options.SurfaceNeedles = QuadricCollapse::Needles::Thin;
       options.AreaBalance = balance;
+      options.Finish = finish;
       options.MaximumNumberOfRelaxations = fewRelaxations;
       return mapToSphere(mesh, options, run.part(begin, end)).Positions;
     }
@@ -65,6 +69,7 @@ Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
   }
   ProgressiveSphereMapOptions options;
   options.AreaBalance = std::max(0.5, minimumBalance);
+  options.Finish = finish;
   options.ConnectivityFirst = true;
   return mapToSphere(mesh, options, run.part(begin, 1.0)).Positions;
 }

@@ -72,7 +72,10 @@ struct GlobalConformalMapResult
 ///    ascending order. The last attempt inserts vertices as if all triangles were equilateral, with
 ///    equal areas (option ConnectivityFirst). This attempt succeeded on every surface tested.
 ///
-/// If AreaBalance is above 0, steps 1 to 3 are omitted, and only mapToSphere() is used.
+/// If AreaBalance is above 0, steps 1 to 3 are omitted, and only mapToSphere() is used. The map
+/// then minimizes an energy of angles and areas over the surface. It hardly depends on the
+/// triangles: if each triangle is divided into four, positions on the sphere change by 0.2 degrees
+/// on the cow Spot.
 ///
 /// Conformal maps are unique up to a Moebius transform (conformal map of the sphere to itself). For
 /// a conformal map, this transform is chosen so that the area-weighted mean of the sphere positions

@@ -7,6 +7,7 @@
 #include "Sphere/SphereOrientation.h"
 #include "Sphere/SphereStar.h"
 #include "SphereMap/BoundedTriangles.h"
+#include "SphereMap/SphereEnergyDescent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,9 @@ int sweepsOfLevel(std::size_t numberOfVertices)
 }
 
 constexpr int SweepsForRoom = 20;
+
+// Of SphereMapFinish::Minimum: rounds of steps of descendSphereEnergy(), and of sweeps
+constexpr int Rounds = 4, StepsPerRound = 25, SweepsPerRound = 2;
 const char* const NoRoom = "the surface cannot be mapped to the sphere: the triangles of a vertex "
                            "underflow double precision there";
 
@@ -36,6 +40,20 @@ SphereEnergy energyFor(double balance)
   SphereEnergy energy;
   energy.AreaExponent = 0.7 * balance;
   energy.AreaWeight = 20.0 * std::pow(balance, 5.65);
+  return energy;
+}
+
+// Energy whose minimum does not depend on the triangles. Let a and b be the singular values of the
+// map of a triangle. The term (S/A)^s D/A contains the factor a^(1-s), which is not convex for s
+// between 0 and 1. The minimum of such a term has creases as narrow as the triangles. The exponent
+// is therefore 0 from a balance of 0.5 on. Below, K is small, and creases were not observed.
+// The constants give the areas and the K of the sweeps' maps of a head (Igea) and of the bunny.
+SphereEnergy minimizedEnergyFor(double balance)
+{
+  SphereEnergy energy;
+  energy.AreaExponent = 0.8 * balance * std::max(0.0, 1.0 - 2.0 * balance);
+  const double part = std::pow(balance, 5.3);
+  energy.AreaWeight = 19.8 * part / (1.0 + 4.66 * part);
   return energy;
 }
 
@@ -63,7 +81,9 @@ public:
           ? makeProgressiveMesh(triangles, places.rows(), run.part(0.0, 0.2))
           : makeProgressiveMesh({ places, triangles }, options.SurfaceNeedles, run.part(0.0, 0.2)))
     , Positions(places.rows())
-    , Descent(run.part(0.2, 1.0))
+    , Triangles(triangles)
+    , Descent(run.part(0.2, options.Finish == SphereMapFinish::Minimum ? 0.5 : 1.0))
+    , Descending(run.part(0.5, 1.0))
   {
   }
 
@@ -81,19 +101,57 @@ public:
         this->sweep(sweepsOfLevel(level), this->Shapes, this->Energy);
       }
     }
-    this->sweep(this->Options.NumberOfSweeps, this->FinalShapes, this->Energy);
-    this->sweep(this->Options.NumberOfSmoothingSweeps, this->FinalShapes, smoothing(this->Energy));
-    ProgressiveSphereMapResult result;
-    result.Positions.resize(static_cast<Index>(this->Positions.size()), 3);
-    for (std::size_t v = 0; v < this->Positions.size(); ++v)
+    if (this->Options.Finish == SphereMapFinish::Minimum)
     {
-      result.Positions.row(static_cast<Index>(v)) = this->Positions[v];
+      this->descend();
     }
+    else
+    {
+      this->sweep(this->Options.NumberOfSweeps, this->FinalShapes, this->Energy);
+      this->sweep(
+        this->Options.NumberOfSmoothingSweeps, this->FinalShapes, smoothing(this->Energy));
+    }
+    ProgressiveSphereMapResult result;
+    result.Positions = this->positions();
     result.NumberOfRelaxations = this->Relaxations;
     return result;
   }
 
 private:
+  Points positions() const
+  {
+    Points positions(static_cast<Index>(this->Positions.size()), 3);
+    for (std::size_t v = 0; v < this->Positions.size(); ++v)
+    {
+      positions.row(static_cast<Index>(v)) = this->Positions[v];
+    }
+    return positions;
+  }
+
+  // Minimize the energy of the whole map. Sweeps in between move vertices of needles, whose small
+  // energies would otherwise need many steps.
+  void descend()
+  {
+    SphereEnergyDescentOptions options;
+    options.Energy = minimizedEnergyFor(this->Options.AreaBalance);
+    options.MaximumNumberOfSteps = StepsPerRound;
+    bool converged = false;
+    for (int round = 0; round < Rounds && !converged; ++round)
+    {
+      Points positions = this->positions();
+      converged = descendSphereEnergy(this->Triangles, this->FinalShapes, positions, options,
+        this->Descending.part(
+          static_cast<double>(round) / Rounds, static_cast<double>(round + 1) / Rounds))
+                    .Converged;
+      for (std::size_t v = 0; v < this->Positions.size(); ++v)
+      {
+        this->Positions[v] = positions.row(static_cast<Index>(v));
+      }
+      relaxVertices(this->Positions, this->Active, this->Mesh.Rings, this->FinalShapes,
+        options.Energy, SweepsPerRound);
+    }
+  }
+
   // Return the estimated number of relaxations of a vertex, without those before insertions.
   double countWork() const
   {
@@ -109,7 +167,9 @@ private:
         work += sweepsOfLevel(level) * count;
       }
     }
-    return work + (this->Options.NumberOfSweeps + this->Options.NumberOfSmoothingSweeps) * count;
+    const bool sweeps = this->Options.Finish == SphereMapFinish::Sweeps;
+    return work +
+      (sweeps ? this->Options.NumberOfSweeps + this->Options.NumberOfSmoothingSweeps : 0) * count;
   }
 
   void layTetrahedron()
@@ -235,7 +295,9 @@ private:
   std::vector<int> Active; // inserted vertices, in the sequence of insertion
   std::vector<Vector3> Positions;
   std::vector<Corner> Scratch;
+  const conformal::Triangles& Triangles;
   const Run Descent;
+  const Run Descending; // of descend()
   Index Relaxations = 0;
   Index WorkDone = 0;
   double WorkToDo = 0.0;

@@ -14,13 +14,23 @@
 
 namespace conformal
 {
+/// Method that moves the vertices after all of them are inserted.
+enum class SphereMapFinish
+{
+  Sweeps, ///< NumberOfSweeps and NumberOfSmoothingSweeps, see below
+  /// Minimize the energy of the whole map by descendSphereEnergy(). The map then depends on the
+  /// surface, and hardly on its triangles.
+  Minimum
+};
+
 struct ProgressiveSphereMapOptions
 {
   /// Balance between angles and areas, in [0, 1]. The value 0 gives a nearly conformal map, 1 a map
   /// that nearly preserves areas.
   double AreaBalance = 0.5;
-  /// Number of sweeps after all vertices are inserted, at least 0. A sweep moves each vertex once
-  /// to reduce the energy.
+  SphereMapFinish Finish = SphereMapFinish::Sweeps;
+  /// Number of sweeps for SphereMapFinish::Sweeps, at least 0. A sweep moves each vertex once to
+  /// reduce the energy.
   int NumberOfSweeps = 30;
   /// Number of later sweeps, after the sweeps of NumberOfSweeps. In the later sweeps, triangles
   /// with the highest energy have more weight.
@@ -65,7 +75,8 @@ struct ProgressiveSphereMapResult
 /// of a triangle is its conformal energy (distortion of angles) times a power of S / A. S is the
 /// area of the triangle on the surface, and A is its area on the sphere. AreaBalance determines the
 /// exponent. Depending on AreaBalance, maps are nearly conformal, nearly area-preserving, or in
-/// between.
+/// between. SphereMapFinish::Minimum minimizes such an energy, with other exponents. The energy of
+/// \cite Praun2003 is the sum over triangles of S D/A^2, the Dirichlet energy of the inverse map.
 ///
 /// @param[in] mesh  surface with finite positions, all of them used by triangles. Triangles may
 ///   have zero area.

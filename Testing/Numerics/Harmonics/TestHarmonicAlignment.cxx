@@ -1,7 +1,10 @@
 #include "Harmonics/HarmonicAlignment.h"
 
+#include "Harmonics/HarmonicFit.h"
 #include "Harmonics/SphericalHarmonics.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Shapes.h"
 #include "Spheres.h"
 
 #include <gtest/gtest.h>
@@ -115,6 +118,32 @@ TEST(HarmonicAlignment, TheSameSurfaceTurnedIsAlignedTheSame)
   }
 }
 
+// An ellipsoid with two limbs, the longer one to the right or to the left. Both limbs are at
+// positive ends.
+TEST(HarmonicAlignment, EndsAreThoseThatExtendFarther)
+{
+  const conformal::Mesh sphere = conformal::makeGeodesicSphere(30);
+  for (const double side : { 1.0, -1.0 })
+  {
+    conformal::MappedMesh mesh;
+    mesh.Triangles = sphere.Triangles;
+    mesh.SpherePositions = sphere.Positions;
+    mesh.Positions = shapes::over(sphere.Positions,
+      [=](const conformal::Vector3& n) -> conformal::Vector3
+      {
+        const double limb = std::exp((side * n[0] - 1.0) / 0.1);
+        return { 2.0 * n[0] + side * 2.0 * limb, 1.3 * n[1] + 0.8 * std::exp((n[1] - 1.0) / 0.2),
+          n[2] };
+      });
+    const Columns found = conformal::fitHarmonics(mesh, mesh.Positions, 16);
+    const HarmonicAlignment alignment = conformal::alignToEllipsoid(found);
+    EXPECT_GT(alignment.EndMargin, 0.1);
+    EXPECT_LT(alignment.EndMargin, 4.0);
+    EXPECT_GT((alignment.SurfaceRotation * conformal::Vector3(side, 0.0, 0.0))[0], 0.9);
+    EXPECT_GT((alignment.SurfaceRotation * conformal::Vector3(0.0, 1.0, 0.0))[1], 0.9);
+  }
+}
+
 // A plain ellipsoid has no ends that differ; and a mirrored one stays mirrored.
 TEST(HarmonicAlignment, SymmetricAndMirroredSurfacesHaveProperRotations)
 {
@@ -125,6 +154,7 @@ TEST(HarmonicAlignment, SymmetricAndMirroredSurfacesHaveProperRotations)
     Columns start = plain;
     start.col(1) *= sign;
     const HarmonicAlignment alignment = conformal::alignToEllipsoid(start);
+    EXPECT_LT(alignment.EndMargin, 1e-3);
     EXPECT_NEAR(alignment.MapRotation.determinant(), 1.0, 1e-14);
     EXPECT_NEAR(alignment.SurfaceRotation.determinant(), 1.0, 1e-14);
     const Columns result = aligned(start, alignment);

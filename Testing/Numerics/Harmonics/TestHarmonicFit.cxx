@@ -3,6 +3,7 @@
 #include "Harmonics/SphericalHarmonics.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,33 @@ TEST(HarmonicFit, CoarseMeshesLeaveNothingFree)
   for (Index i = 0; i < between.rows(); ++i)
   {
     EXPECT_NEAR(there(i, 0), bump(between.row(i)), 0.5);
+  }
+}
+
+// The power of each degree does not depend on the orientation of surface and map, though large
+// triangles are sampled inside.
+TEST(HarmonicFit, PowerDoesNotDependOnOrientation)
+{
+  for (const int frequency : { 4, 20 })
+  {
+    MappedMesh mesh = ellipsoid(frequency, 0.4);
+    for (Index i = 0; i < mesh.Positions.rows(); ++i)
+    {
+      mesh.Positions.row(i) *= 1.0 + 0.2 * std::abs(bump(mesh.SpherePositions.row(i)) - 0.3) +
+        0.2 * std::abs(mesh.SpherePositions(i, 0) + 0.4 * mesh.SpherePositions(i, 1));
+    }
+    const Eigen::VectorXd power = conformal::powerPerDegree(fitHarmonics(mesh, mesh.Positions, 16));
+    EXPECT_GT(power.minCoeff(), 1e-14);
+    for (const double angle : { 0.4, 1.7, 2.9 })
+    {
+      MappedMesh other = mesh;
+      other.SpherePositions = shapes::moved(mesh.SpherePositions, angle, Vector3::Zero());
+      other.Positions = shapes::moved(mesh.Positions, 2.0 - angle, Vector3::Zero());
+      const Eigen::VectorXd found =
+        conformal::powerPerDegree(fitHarmonics(other, other.Positions, 16));
+      EXPECT_LT((found - power).tail(16).cwiseAbs().cwiseQuotient(power.tail(16)).maxCoeff(), 1e-10)
+        << frequency << ", " << angle;
+    }
   }
 }
 

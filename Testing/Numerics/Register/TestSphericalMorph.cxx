@@ -114,10 +114,22 @@ TEST(SphericalMorph, AtTheEndsItIsTheShapes)
   }
 }
 
+// If the first shape and the second face the same way, positions are averaged.
 TEST(SphericalMorph, LinearIsTheMean)
 {
-  const Points a = egg(), b = bar(0.5);
-  EXPECT_LT(largestDistance(between({ a, b }, 0.3, MorphPath::Linear), 0.7 * a + 0.3 * b), 1e-14);
+  const Points a = egg();
+  const Points b = (1.5 * a).rowwise() + Eigen::RowVector3d(1.0, -2.0, 0.5);
+  EXPECT_LT(largestDistance(between({ a, b }, 0.3, MorphPath::Linear), 0.7 * a + 0.3 * b), 1e-13);
+}
+
+// A copy that faces another way and is larger: all sizes in between are those of the copies.
+TEST(SphericalMorph, LinearTurnsTheWholeShape)
+{
+  const Points a = egg(), b = moved(egg(), 2.5, { 4.0, 1.0, -3.0 }, 1.4);
+  const Points half = between({ a, b }, 0.5, MorphPath::Linear);
+  const Points expected = moved(egg(), 1.25, Vector3::Zero(), 1.2);
+  const Vector3 offset = (half - expected).colwise().mean();
+  EXPECT_LT(largestDistance(half.rowwise() - offset.transpose(), expected), 1e-12);
 }
 
 TEST(SphericalMorph, SwappedShapesMirror)
@@ -145,7 +157,7 @@ TEST(SphericalMorph, ATurnedCopyStaysRigid)
       const Points rigid = between({ a, b }, factor, MorphPath::Rigid);
       EXPECT_LT(stretch(rigid, a), 1e-10);
     }
-    EXPECT_GT(stretch(between({ a, b }, 0.5, MorphPath::Linear), a), 0.02);
+    EXPECT_LT(stretch(between({ a, b }, 0.5, MorphPath::Linear), a), 1e-10);
     // Half of the way it has turned by half of the angle.
     const Points half = between({ a, b }, 0.5, MorphPath::Rigid);
     const Points expected = moved(a, 0.5 * angle, Vector3::Zero());
@@ -186,19 +198,38 @@ TEST(SphericalMorph, ALimbTurnsAndKeepsItsLength)
   EXPECT_LT(largestDistance(turned, expected), 0.05 * 4.0);
 }
 
+// Two shapes that are stretched in different directions: the area of the mean is the mean area.
+TEST(SphericalMorph, RigidKeepsTheMeanArea)
+{
+  const auto areaOf = [](const Points& points)
+  {
+    double sum = 0.0;
+    for (Index r = 0; r < sphere().Triangles.rows(); ++r)
+    {
+      sum += conformal::areaVector(points, sphere().Triangles, r).norm();
+    }
+    return sum;
+  };
+  const Points a = egg(), b = bar(1.5), c = 2.0 * bar(-1.0);
+  const Points mean = morphShapes(sphere(), { a, b, c }, { 0.5, 0.25, 0.25 }, { MorphPath::Rigid });
+  const double expected = 0.5 * areaOf(a) + 0.25 * areaOf(b) + 0.25 * areaOf(c);
+  EXPECT_NEAR(areaOf(mean), expected, 1e-10 * expected);
+}
+
 TEST(SphericalMorph, WeightsOfManyShapesAddUp)
 {
-  const Points a = egg(), b = moved(egg(), 1.0, { 1.0, 0.0, 0.0 }), c = bar(0.3);
+  const Points a = egg(), b = 2.0 * egg(), c = egg().rowwise() + Eigen::RowVector3d(1.0, 0.0, 5.0);
   const std::vector<double> weights = { 0.2, 0.3, 0.5 };
   EXPECT_LT(
     largestDistance(morphShapes(sphere(), { a, b, c }, weights), 0.2 * a + 0.3 * b + 0.5 * c),
-    1e-14);
+    1e-13);
   // Of equal shapes, however they are weighted, comes that shape.
   EXPECT_LT(
     largestDistance(morphShapes(sphere(), { a, a, a }, weights, { MorphPath::Rigid }), a), 1e-11);
   // Two turned copies of a shape and itself: a rotation by the weighted sum of their vectors.
-  const Points twice = morphShapes(
-    sphere(), { a, b, moved(a, 2.0, Vector3::Zero()) }, { 0.2, 0.4, 0.4 }, { MorphPath::Rigid });
+  const Points twice =
+    morphShapes(sphere(), { a, moved(a, 1.0, { 1.0, 0.0, 0.0 }), moved(a, 2.0, Vector3::Zero()) },
+      { 0.2, 0.4, 0.4 }, { MorphPath::Rigid });
   EXPECT_LT(stretch(twice, a), 1e-10);
 }
 
