@@ -420,13 +420,10 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
     return hull;
   }
   GenusZeroHullResult byAll = makeGenusZeroHull(samples, winding, run.part(share, shareOfSecond));
-  if (byAll.Method != HullMethod::WindingNumbers || hasHandles(byAll))
-  {
-    return hull;
-  }
+  const bool isUsable = byAll.Method == HullMethod::WindingNumbers && !hasHandles(byAll);
   // For a hull that leaks, the number of samples left out is undefined.
   const Index leftOut = hull.Leaks ? usualStrays(samples) : samples.totalSize() / shareOfLimbs;
-  const bool better = (hull.Leaks || byAll.Noise <= maximumNoise) &&
+  const bool better = isUsable && (hull.Leaks || byAll.Noise <= maximumNoise) &&
     byAll.NumberOfSamplesOutside <= std::max(hull.NumberOfSamplesOutside, leftOut);
   if (isTorn(hull) && !(better && !isTorn(byAll)))
   {
@@ -440,7 +437,7 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   {
     return byAll;
   }
-  hull.HandlesByChance = true;
+  hull.HandlesByChance = isUsable;
   return hull;
 }
 

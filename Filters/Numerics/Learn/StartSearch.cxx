@@ -51,8 +51,8 @@ std::string nameOf(Start start)
 
 constexpr double ToleratedWebs = 0.001; // maximum fraction of the area on webs
 
-// Unsupported area, beyond that of another surface, which is as bad as a defect score of 1. If both
-// surfaces fill a hole of the data, their unsupported areas differ by less.
+// Unsupported area, or area on cuts, beyond that of another surface, which is as bad as a defect
+// score of 1. If both surfaces fill a hole of the data, their unsupported areas differ by less.
 constexpr double ToleratedExcess = 0.005;
 
 /// Fractions of the progress of one start, measured on scans: first surface, fit, quality.
@@ -85,12 +85,13 @@ SurfaceQuality evaluateByMesh(const ConformalSOMResult& result, const TrainingSa
 }
 
 /// Compute the defect score of a surface, to be compared with that of another surface. The area
-/// without samples beyond that of the other surface is a defect, too. On both sides of a thin
-/// sheet, winding numbers cannot distinguish a good surface from one that bulges.
+/// without samples, and on cuts, beyond that of the other surface is a defect, too. On both sides
+/// of a thin sheet, winding numbers cannot distinguish a good surface from one that bulges.
 double scoreBeside(const ConformalSOMResult& result, const ConformalSOMResult& other)
 {
-  const double excess = result.UnsupportedFraction - other.UnsupportedFraction;
-  return defectScore(result.Quality) + std::max(0.0, excess) / ToleratedExcess;
+  const double excess = std::max(0.0, result.UnsupportedFraction - other.UnsupportedFraction) +
+    std::max(0.0, result.CutFraction - other.CutFraction);
+  return defectScore(result.Quality) + excess / ToleratedExcess;
 }
 
 class StartSearch

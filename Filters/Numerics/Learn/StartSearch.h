@@ -41,9 +41,9 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 ///   This hull is made by the method that was not used for the first hull.
 ///
 /// Of two results, the better one has the lower defectScore(). For each half percent of unsupported
-/// area (see FittedMesh) that it has beyond the other one, 1 is added to its score. However, a
-/// result with webs is replaced by the next result, whatever the scores. If the affine rank is
-/// below 3, results cannot be evaluated, and the first one is returned.
+/// area (see FittedMesh), or of area on cuts, that it has beyond the other one, 1 is added to its
+/// score. However, a result with webs is replaced by the next result, whatever the scores. If the
+/// affine rank is below 3, results cannot be evaluated, and the first one is returned.
 ///
 /// If HullMethod is Automatic, the method is selected by chooseHull() of GenusZeroHull.h.
 ///
