@@ -305,24 +305,15 @@ TEST_F(SphericalMorph, BlocksAreSurfacesInTheirOrder)
   EXPECT_LT(LargestDistance(last, Sampled(third, last)), 1e-12);
   contract::ExpectArray(last->GetFieldData(), "MorphWeights", VTK_DOUBLE, 1, 3);
   // Weights instead of a factor, of any sum.
-  for (const double weight : { 2.0, 0.0, 6.0 })
+  for (const double weight : { 2.0, 6.0, 0.0 })
   {
     this->Filter->AddWeight(weight);
   }
   EXPECT_EQ(this->Filter->GetNumberOfWeights(), 3);
   const auto mean = this->Run();
   EXPECT_NEAR(mean->GetFieldData()->GetArray("MorphWeights")->GetTuple1(0), 0.25, 1e-15);
-  // The surfaces differ by a small rotation, which bends the straight lines a little.
-  const auto first = Sampled(this->Source, mean);
-  for (vtkIdType i = 0; i < mean->GetNumberOfPoints(); ++i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      ASSERT_NEAR(
-        mean->GetPoint(i)[c], 0.25 * first->GetPoint(i)[c] + 0.75 * last->GetPoint(i)[c], 0.05);
-    }
-  }
   this->Filter->RemoveAllWeights();
+  EXPECT_LT(LargestDistance(mean, this->At(0.375)), 1e-12);
   // A target beside blocks comes last.
   this->Filter->SetTargetData(this->Source);
   const auto back = this->At(1.0);

@@ -49,7 +49,7 @@ def distance_of(harmonics):
 class TestScans(unittest.TestCase):
     """Root mean square distances at a largest radius of 1, on maps with an area balance of 0.5."""
     FARTHEST = {"stanford-bunny-closed.ply": {12: 1.4e-2, 20: 6.8e-3, 32: 3.2e-3},
-                "spot.ply": {12: 1.8e-2, 20: 6.5e-3, 32: 3.0e-3}}
+                "spot.ply": {12: 1.8e-2, 20: 6.8e-3, 32: 3.5e-3}}
 
     def test_few_harmonics_come_close(self):
         for name, farthest in self.FARTHEST.items():

@@ -31,7 +31,7 @@ int sweepsOfLevel(std::size_t numberOfVertices)
 constexpr int SweepsForRoom = 20;
 
 // Of SphereMapFinish::Minimum: rounds of steps of descendSphereEnergy(), and of sweeps
-constexpr int Rounds = 4, StepsPerRound = 25, SweepsPerRound = 2;
+constexpr int Rounds = 4, StepsPerRound = 25, SweepsPerRound = 2, LastSweeps = 15;
 const char* const NoRoom = "the surface cannot be mapped to the sphere: the triangles of a vertex "
                            "underflow double precision there";
 
@@ -150,6 +150,8 @@ private:
       relaxVertices(this->Positions, this->Active, this->Mesh.Rings, this->FinalShapes,
         options.Energy, SweepsPerRound);
     }
+    relaxVertices(this->Positions, this->Active, this->Mesh.Rings, this->FinalShapes,
+      options.Energy, LastSweeps);
   }
 
   // Return the estimated number of relaxations of a vertex, without those before insertions.
