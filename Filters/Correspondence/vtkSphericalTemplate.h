@@ -19,7 +19,7 @@
  *   correspond if they have the same position on the sphere.
  * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement", "NumberOfFolds" and
  *   "Ambiguous": quality of the last registration with the mean, as described in
- * vtkSphericalRegistration.
+ *   vtkSphericalRegistration.
  *
  * Output port 1: vtkPolyData, the mean of the aligned surfaces (property Alignment). It has 10 f^2
  * + 2 points, where f is MeanFrequency. The position and orientation of the mean surface are those
