@@ -15,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <cmath>
 #include <limits>
@@ -141,9 +142,33 @@ std::vector<std::pair<int, int>> LandmarksOf(const RegisteredPair& surfaces,
   return pairs;
 }
 
-void WarnOfUnmetLandmarks(vtkObject* self, const conformal::SphericalRegistrationResult& result,
+// Make the moving surface with a new map, and with targets on the fixed surface.
+vtkSmartPointer<vtkPolyData> WithMap(const RegisteredPair& surfaces,
+  const conformal::SphericalRegistrationResult& result, const conformal::Run& run)
+{
+  const conformal::Points places = glue::PlacesOfAll(surfaces.From, result.SpherePositions);
+  auto registered = vtkSmartPointer<vtkPolyData>::New();
+  registered->ShallowCopy(surfaces.Moving);
+  glue::SetRegistration(registered, places, result);
+  AddTargets(registered->GetPointData(), places, surfaces.To, surfaces.Fixed, run);
+  return registered;
+}
+
+void Warn(vtkObject* self, const conformal::SphericalRegistrationResult& result,
   std::size_t numberOfLandmarks)
 {
+  if (!result.Second.empty())
+  {
+    vtkWarningWithObjectMacro(self,
+      << "two correspondences are about equally good, such as head and tail of similar shape; the "
+         "second one is on output port 1. Inspect both, or add a landmark");
+  }
+  if (result.NumberOfFolds > 0)
+  {
+    vtkWarningWithObjectMacro(self,
+      << result.NumberOfFolds << " triangles of the map are flipped, since the transform is not "
+      << "exact on thin triangles; set SpaceOfTransforms to Diffeomorphic");
+  }
   if (result.NumberOfUnmetLandmarks > 0)
   {
     vtkWarningWithObjectMacro(self,
@@ -158,6 +183,7 @@ void WarnOfUnmetLandmarks(vtkObject* self, const conformal::SphericalRegistratio
 vtkSphericalRegistration::vtkSphericalRegistration()
 {
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
@@ -231,6 +257,7 @@ int vtkSphericalRegistration::RequestData(
   const auto moving = glue::Held(vtkPolyData::GetData(inputVector[0]));
   const auto fixed = glue::Held(vtkPolyData::GetData(inputVector[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkPolyData* secondOutput = vtkPolyData::GetData(outputVector, 1);
   const auto landmarks = this->Landmarks;
   const auto positions = this->Positions;
   const auto features = this->Features;
@@ -260,13 +287,12 @@ int vtkSphericalRegistration::RequestData(
       const conformal::SphericalRegistrationResult result = conformal::registerSpheres(
         pair.From.Core, pair.To.Core, vertices, weights, options, steps.next());
       const conformal::Run locating = steps.next();
-      const conformal::Points places = glue::PlacesOfAll(pair.From, result.SpherePositions);
-      const vtkNew<vtkPolyData> registered;
-      registered->ShallowCopy(moving);
-      glue::SetRegistration(registered, places, result);
-      AddTargets(registered->GetPointData(), places, pair.To, fixed, locating);
-      WarnOfUnmetLandmarks(this, result, vertices.size());
+      const auto registered = WithMap(pair, result, locating);
+      const auto second = result.Second.empty() ? vtkSmartPointer<vtkPolyData>::New()
+                                                : WithMap(pair, result.Second.front(), {});
+      Warn(this, result, vertices.size());
       output->ShallowCopy(registered);
+      secondOutput->ShallowCopy(second);
     });
 }
 

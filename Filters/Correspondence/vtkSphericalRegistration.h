@@ -30,15 +30,20 @@
  * Field data:
  * - "RegistrationStretch" (1 double): symmetric Dirichlet energy of the map between the surfaces,
  *   after both are scaled to equal area. The energy measures stretch. It is 1 if the surfaces are
- *   isometric, and larger otherwise.
+ *   isometric, and larger otherwise. The energy is computed from the map of the output.
  * - "LandmarkError" (1 double): largest distance on the unit sphere between two corresponding
  *   landmarks, after the registration.
  * - "FeatureAgreement" (2 double): agreement of the features, which are described below. For each
  *   feature, the correlation between the two surfaces is computed. The value is the weighted mean
- *   of these correlations. The first value is computed before the registration, and the second
- *   value after it.
+ *   of these correlations. The first value is computed from the map of the input, and the second
+ *   value from the map of the output.
  * - "NumberOfFolds" (1 idtype): number of flipped triangles of the deformed map, by exact
  *   arithmetic.
+ * - "Ambiguous" (1 idtype): 1 if two correspondences are about equally good, such as head and tail
+ *   of similar shape. Otherwise 0.
+ *
+ * Output port 1: vtkPolyData, empty unless the correspondence is ambiguous. Otherwise the input of
+ * port 0 with the map of the second best correspondence, and with the arrays of port 0.
  *
  * A feature is a number at each point of both surfaces. Corresponding points should have equal
  * features. The filter computes five features of each point. The first is the mean distance along
@@ -46,14 +51,20 @@
  * scales. The last two are the mean curvature near the point, at two scales. Point arrays added by
  * AddFeature() are further features.
  *
- * The filter first rotates the map. Two or more landmarks determine the rotation. With fewer
- * landmarks, the filter selects several rotations for which the features agree best. The rotated
- * maps are then deformed, and the result with the lowest score is kept. The score is the sum of
- * four penalties: stretch, disagreement of features, difference of the shapes after the best
- * rotation in space, and distances between corresponding landmarks. Mirrored maps are never tried.
+ * The filter first rotates the map. It selects several rotations for which the features agree best,
+ * and landmarks are near their targets. The rotated maps are then deformed. The deformation
+ * minimizes an energy, the sum of stretch, disagreement of features, and distances between
+ * corresponding landmarks. With two or more landmarks, the distances along the surface to the
+ * landmarks are also features, so that landmarks move other points, too. The result with the lowest
+ * score is kept. The score is the energy times the difference of the shapes after the best rotation
+ * in space. If another correspondence has a similar score, both surfaces are also registered in the
+ * opposite direction. If scores are still similar, the result is ambiguous, and a warning is
+ * issued. Mirrored maps are never tried.
  *
  * Landmarks are matched as closely as the map allows without folds. If some landmarks are not
- * matched, a warning states their number.
+ * matched, the moving surface is mapped to the sphere again with an AreaBalance of 0.25, see
+ * vtkGlobalConformalMap, and the registration is repeated. If some landmarks are still not matched,
+ * a warning states their number. With MOEBIUS, folded triangles are repaired, if possible.
  *
  * @sa
  * vtkSphericalAlignment vtkSphericalMorph vtkSphericalResample

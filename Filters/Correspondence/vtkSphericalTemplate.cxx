@@ -208,9 +208,21 @@ void Warn(vtkObject* self, const UsedSurfaces& surfaces, const ReadSurfaces& inp
       self, << empty << " of " << all << " surfaces are empty; their blocks stay empty");
   }
   conformal::Index unmet = 0;
-  for (const conformal::SphericalRegistrationResult& registration : result.Registrations)
+  std::string ambiguous;
+  for (std::size_t s = 0; s < result.Registrations.size(); ++s)
   {
-    unmet += registration.NumberOfUnmetLandmarks;
+    unmet += result.Registrations[s].NumberOfUnmetLandmarks;
+    if (result.Registrations[s].IsAmbiguous)
+    {
+      ambiguous += (ambiguous.empty() ? "" : ", ") + inputs.Core[s].Name;
+    }
+  }
+  if (!ambiguous.empty())
+  {
+    vtkWarningWithObjectMacro(
+      self, << "two correspondences with the mean are about equally good, such as head and tail of "
+               "similar shape, for "
+            << ambiguous << "; inspect the surfaces, or add landmarks");
   }
   if (unmet > 0)
   {

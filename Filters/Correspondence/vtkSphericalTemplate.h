@@ -17,8 +17,9 @@
  * inputs, with the names of the input's blocks. A block is the input surface, with
  * - point array "SpherePosition" (double, 3 components): the deformed map. Points of two surfaces
  *   correspond if they have the same position on the sphere.
- * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement" and "NumberOfFolds":
- *   quality of the last registration with the mean, as described in vtkSphericalRegistration.
+ * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement", "NumberOfFolds" and
+ *   "Ambiguous": quality of the last registration with the mean, as described in
+ *   vtkSphericalRegistration.
  *
  * Output port 1: vtkPolyData, the mean of the aligned surfaces (property Alignment). It has 10 f^2
  * + 2 points, where f is MeanFrequency. The position and orientation of the mean surface are those

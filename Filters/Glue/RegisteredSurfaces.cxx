@@ -134,5 +134,6 @@ void SetRegistration(vtkPolyData* surface, const conformal::Points& places,
   agreement->InsertNextTuple2(result.AgreementBefore, result.AgreementAfter);
   data->AddArray(agreement);
   AddNumber(data, "NumberOfFolds", static_cast<long long>(result.NumberOfFolds));
+  AddNumber(data, "Ambiguous", static_cast<long long>(result.IsAmbiguous));
 }
 }

@@ -95,7 +95,7 @@ def flips_of(surface, triangles):
 class Outcome:
     """Of one pair: errors of all landmarks, and which of them were not given."""
 
-    def __init__(self, moving, fixed, given, args):
+    def __init__(self, moving, fixed, given, args, unjudged=()):
         self.name = moving.name + "-" + fixed.name
         registration = vtkSphericalRegistration()
         registration.SetInputData(moving.mapped)
@@ -112,7 +112,7 @@ class Outcome:
             write(registered, os.path.join(args.write, self.name + ".vtp"))
         field = registered.GetFieldData()
         self.errors = fixed.errors(sphere_of(registered)[moving.landmarks])
-        others = [i for i in range(len(self.errors)) if i not in given]
+        others = [i for i in range(len(self.errors)) if i not in given and i not in unjudged]
         self.mean = self.errors[others or given].mean()
         self.judged = self.errors[others or given]
         self.unmet = field.GetArray("LandmarkError").GetValue(0)
@@ -153,6 +153,9 @@ def arguments():
     parser.add_argument("--models", nargs="+", help="names of those to compare, default all")
     parser.add_argument("--landmarks", nargs="+", type=int, default=[0],
                         help="how many to give, evenly from the list; a table row for each number, default 0")
+    parser.add_argument("--given", nargs="+", type=int, action="append", metavar="INDEX",
+                        help="indices of landmarks to give, from 0; a row for each option. All rows, also those of "
+                        "--landmarks, are then judged by the landmarks that no --given has")
     parser.add_argument("--space", choices=("Rotation", "Moebius", "Diffeomorphic"), default="Diffeomorphic")
     parser.add_argument("--balance", type=float, default=0.5, help="AreaBalance of maps, default 0.5")
     parser.add_argument("--both", action="store_true", help="register each pair in both directions")
@@ -182,11 +185,14 @@ def main():
           + "".join(f", {name} {value:g}" for name, value in args.settings))
     print(f"{'landmarks':<14}{'pairs':>6}{'mean':>9}{'median':>9}{'worst':>9} {'pair':<12}"
           f"{f'> {FAR:g}':>7}{'lm < .1':>8}{'lm error':>11}{'flips':>7}{'CPU s':>9}")
-    for number in args.landmarks:
-        given = sorted({i * all_of_them // number for i in range(number)} if number else ())
+    rows = [sorted({i * all_of_them // number for i in range(number)} if number else ()) for number in args.landmarks]
+    unjudged = {i for given in args.given or () for i in given}
+    if unjudged and not 0 <= min(unjudged) <= max(unjudged) < all_of_them:
+        raise ValueError(f"--given: expected indices from 0 to {all_of_them - 1}")
+    for given in rows + (args.given or []):
         outcomes = []
         for pair in (itertools.permutations if args.both else itertools.combinations)(models, 2):
-            outcomes.append(Outcome(*pair, given, args))
+            outcomes.append(Outcome(*pair, given, args, unjudged))
             if args.pairs:
                 last = outcomes[-1]
                 print(f"  {last.name:<14}mean {last.mean:.4f}, largest {last.judged.max():.4f}, stretch "

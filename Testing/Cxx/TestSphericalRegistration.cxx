@@ -64,6 +64,7 @@ TEST_F(SphericalRegistration, WritesTheContractsArraysAndFindsTheTurn)
   contract::ExpectArray(output->GetFieldData(), "RegistrationStretch", VTK_DOUBLE, 1, 1);
   contract::ExpectArray(output->GetFieldData(), "LandmarkError", VTK_DOUBLE, 1, 1);
   contract::ExpectArray(output->GetFieldData(), "FeatureAgreement", VTK_DOUBLE, 2, 1);
+  contract::ExpectArray(output->GetFieldData(), "Ambiguous", VTK_ID_TYPE, 1, 1);
   EXPECT_EQ(output->GetPoints(), this->Moving->GetPoints());
   EXPECT_EQ(this->Field("NumberOfFolds"), 0.0);
   EXPECT_LT(this->Field("FeatureAgreement", 0), 0.8);
@@ -99,6 +100,44 @@ TEST_F(SphericalRegistration, TargetsLieWhereTheMapSays)
     data->GetArray("SpherePosition")->GetTuple(i, map);
     EXPECT_LT(std::sqrt(vtkMath::Distance2BetweenPoints(place, map)), 1e-9);
   }
+}
+
+TEST_F(SphericalRegistration, WritesTheSecondBestOfTwoEqualEnds)
+{
+  this->Filter->Update();
+  EXPECT_EQ(this->Field("Ambiguous"), 0.0);
+  EXPECT_EQ(this->Filter->GetOutput(1)->GetNumberOfPoints(), 0);
+  // A turn by 180 degrees about z leaves this body as it is.
+  vtkNew<vtkPolyData> twin;
+  twin->DeepCopy(this->Fixed);
+  for (vtkIdType i = 0; i < twin->GetNumberOfPoints(); ++i)
+  {
+    double n[3];
+    twin->GetPointData()->GetArray("SpherePosition")->GetTuple(i, n);
+    const double end = std::exp((std::abs(n[0]) * 0.9 + n[2] * 0.4 - 1.0) / 0.09);
+    twin->GetPoints()->SetPoint(
+      i, 1.6 * (1.0 + end) * n[0], 0.9 * (1.0 + end) * n[1], (1.0 + end) * n[2]);
+  }
+  this->Filter->SetInputData(twin);
+  this->Filter->SetFixedData(twin);
+  contract::Observed observed(this->Filter);
+  this->Filter->Update();
+  EXPECT_NE(observed.WarningMessage().find("two correspondences are about equally good"),
+    std::string::npos);
+  EXPECT_EQ(this->Field("Ambiguous"), 1.0);
+  vtkPolyData* second = this->Filter->GetOutput(1);
+  contract::ExpectSpherePosition(second);
+  contract::ExpectArray(
+    second->GetPointData(), "TargetCellId", VTK_ID_TYPE, 1, twin->GetNumberOfPoints());
+  double products = 0.0;
+  for (vtkIdType i = 0; i < twin->GetNumberOfPoints(); ++i)
+  {
+    double p[3], q[3];
+    this->Filter->GetOutput()->GetPointData()->GetArray("SpherePosition")->GetTuple(i, p);
+    second->GetPointData()->GetArray("SpherePosition")->GetTuple(i, q);
+    products += p[0] * q[0];
+  }
+  EXPECT_LT(products, 0.0);
 }
 
 TEST_F(SphericalRegistration, LandmarksByIdsAndByPositionsAgree)

@@ -1,8 +1,8 @@
 #include "Register/RegistrationDescent.h"
 
 #include "Linear/EdgeWeights.h"
+#include "Measure/TriangleStretch.h"
 #include "Mesh/MeshTopology.h"
-#include "Register/TriangleStretch.h"
 #include "Sphere/SphereOrientation.h"
 
 #include <Eigen/SparseCholesky>

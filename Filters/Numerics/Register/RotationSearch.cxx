@@ -24,17 +24,20 @@ Vector3 axisOf(int i)
 class Search
 {
 public:
-  Search(
-    const SampledSurface& moving, const SampledSurface& fixed, const std::vector<double>& weights)
+  Search(const SampledSurface& moving, const SampledSurface& fixed,
+    const std::vector<SpherePair>& pairs, const RegistrationWeights& weights)
     : Moving(moving)
     , Fixed(fixed)
-    , Weights(Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Index>(weights.size())))
+    , Pairs(pairs)
+    , PairWeight(weights.Landmarks / std::max<double>(1.0, static_cast<double>(pairs.size())))
+    , Weights(Eigen::Map<const Eigen::VectorXd>(
+        weights.Features.data(), static_cast<Index>(weights.Features.size())))
     , Shares(vertexAreas(moving.Values.leftCols<3>(), moving.Grid.mesh().Triangles))
   {
     this->Shares /= this->Shares.sum();
   }
 
-  // Compute the difference of the features after a rotation. If `improved` is not null, set it to
+  // Compute the difference of the surfaces after a rotation. If `improved` is not null, set it to
   // the rotation after one Gauss-Newton step.
   double difference(const Eigen::Matrix3d& rotation, Eigen::Matrix3d* improved = nullptr) const
   {
@@ -64,13 +67,31 @@ public:
         }
       }
     }
+    sum += this->distanceOfLandmarks(rotation);
     if (improved)
     {
+      for (const SpherePair& pair : this->Pairs)
+      {
+        const Vector3 place = rotation * pair.From;
+        slope += this->PairWeight * place.cross(place - pair.To);
+        matrix += this->PairWeight * (Eigen::Matrix3d::Identity() - place * place.transpose());
+      }
       const Vector3 turn = -matrix.ldlt().solve(slope);
       const double angle = turn.norm();
       *improved = angle > 0.0
         ? Eigen::Matrix3d(Eigen::AngleAxisd(std::min(angle, 0.2), turn / angle) * rotation)
         : rotation;
+    }
+    return sum;
+  }
+
+  // Compute the weighted mean square distance between landmarks and their targets.
+  double distanceOfLandmarks(const Eigen::Matrix3d& rotation) const
+  {
+    double sum = 0.0;
+    for (const SpherePair& pair : this->Pairs)
+    {
+      sum += this->PairWeight * (rotation * pair.From - pair.To).squaredNorm();
     }
     return sum;
   }
@@ -94,6 +115,8 @@ public:
 private:
   const SampledSurface& Moving;
   const SampledSurface& Fixed;
+  const std::vector<SpherePair>& Pairs;
+  double PairWeight;
   Eigen::VectorXd Weights, Shares;
 };
 
@@ -101,27 +124,50 @@ bool isBetter(const FoundRotation& a, const FoundRotation& b)
 {
   return a.Difference < b.Difference;
 }
+
+// Return rotations that are spread evenly. Each rotation consists of two steps: a rotation about z,
+// then the shortest rotation of z to one of the axes.
+std::vector<FoundRotation> evenRotations()
+{
+  std::vector<FoundRotation> all;
+  for (int i = 0; i < NumberOfAxes * NumberOfAngles; ++i)
+  {
+    const double angle = 2.0 * Pi * (i % NumberOfAngles) / NumberOfAngles;
+    all.push_back(
+      { (Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axisOf(i / NumberOfAngles)) *
+          Eigen::AngleAxisd(angle, Vector3::UnitZ()))
+          .toRotationMatrix(),
+        0.0 });
+  }
+  return all;
+}
 }
 
 //------------------------------------------------------------------------------
 std::vector<FoundRotation> searchRotations(const SampledSurface& moving,
-  const SampledSurface& fixed, const std::vector<double>& weights, int count, const Run& run)
+  const SampledSurface& fixed, const std::vector<SpherePair>& pairs,
+  const RegistrationWeights& weights, int count, const Run& run)
 {
-  const Search search(moving, fixed, weights);
-  std::vector<FoundRotation> all(NumberOfAxes * NumberOfAngles);
-  // Each rotation consists of two steps: a rotation about z, then the shortest rotation of z to one
-  // of the axes.
+  const Search search(moving, fixed, pairs, weights);
+  std::vector<FoundRotation> all = evenRotations();
+  int numberImproved = NumberImproved;
+  if (!pairs.empty())
+  {
+    // Landmarks exclude most rotations at little cost.
+    for (FoundRotation& one : all)
+    {
+      one.Difference = search.distanceOfLandmarks(one.Rotation);
+    }
+    std::stable_sort(all.begin(), all.end(), isBetter);
+    all.resize(all.size() / 4);
+    numberImproved /= 4;
+  }
   forBlocksReporting(run, static_cast<Index>(all.size()), 16,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
       {
-        const Eigen::Matrix3d rotation = (Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(),
-                                            axisOf(static_cast<int>(i) / NumberOfAngles)) *
-          Eigen::AngleAxisd(
-            2.0 * Pi * static_cast<double>(i % NumberOfAngles) / NumberOfAngles, Vector3::UnitZ()))
-                                           .toRotationMatrix();
-        all[i] = { rotation, search.difference(rotation) };
+        all[i].Difference = search.difference(all[i].Rotation);
       }
     });
   std::stable_sort(all.begin(), all.end(), isBetter);
@@ -139,7 +185,7 @@ std::vector<FoundRotation> searchRotations(const SampledSurface& moving,
   };
   for (const FoundRotation& one : all)
   {
-    if (static_cast<int>(starts.size()) < NumberImproved && isNew(starts, one, 0.8 * Apart))
+    if (static_cast<int>(starts.size()) < numberImproved && isNew(starts, one, 0.8 * Apart))
     {
       starts.push_back(one);
     }

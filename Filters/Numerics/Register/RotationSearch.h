@@ -18,24 +18,29 @@
 
 namespace conformal
 {
-/// Rotation of the moving surface's sphere, and the difference of the features after the rotation.
+/// Rotation of the moving surface's sphere, and the difference of the surfaces after the rotation.
 struct FoundRotation
 {
   Eigen::Matrix3d Rotation;
-  double Difference = 0.0; ///< weighted mean square difference of the features of both surfaces
+  /// Weighted mean square difference of the features of both surfaces, plus the weighted mean
+  /// square distance between landmarks and their targets on the unit sphere.
+  double Difference = 0.0;
 };
 
-/// Find rotations of the moving surface's sphere that minimize the difference of the features. The
-/// result is sorted by ascending difference. Any two of the rotations differ by more than 30
-/// degrees.
+/// Find rotations of the moving surface's sphere that minimize the difference of the features and
+/// the distances between landmarks and their targets. The result is sorted by ascending difference.
+/// Any two of the rotations differ by more than 30 degrees.
 ///
 /// Initially, 1,680 rotations are evaluated. Then up to 60 of the best rotations are refined, each
-/// by at most eight Gauss-Newton steps. Any two rotations selected for refinement differ by more
-/// than 24 degrees.
-/// @param[in] weights  #K, weights of the features
+/// by at most eight Gauss-Newton steps. If there are landmarks, only the quarter of the rotations
+/// that brings them nearest to their targets is evaluated, and up to 15 are refined. Any two
+/// rotations selected for refinement differ by more than 24 degrees.
+/// @param[in] pairs    landmarks: corresponding positions on the spheres of both surfaces
+/// @param[in] weights  weights of the features and of the landmarks
 /// @param[in] count    maximum number of rotations to return
 std::vector<FoundRotation> searchRotations(const SampledSurface& moving,
-  const SampledSurface& fixed, const std::vector<double>& weights, int count, const Run& run = {});
+  const SampledSurface& fixed, const std::vector<SpherePair>& pairs,
+  const RegistrationWeights& weights, int count, const Run& run = {});
 }
 
 #endif

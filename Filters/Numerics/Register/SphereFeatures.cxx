@@ -182,6 +182,39 @@ Rows geodesicFeatures(const Mesh& surface, const GeodesicFeatureOptions& options
 }
 
 //------------------------------------------------------------------------------
+Rows landmarkProximities(const Mesh& surface, const Points& landmarks, const Run& run)
+{
+  const Index size = surface.Positions.rows(), count = landmarks.rows();
+  const DistanceGraph graph = distanceGraph(surface);
+  Eigen::VectorXd areas = vertexAreas(surface.Positions, surface.Triangles);
+  const double unit = std::sqrt(areas.sum() / 6.0);
+  areas /= areas.sum();
+  // Distance below which the proximity is constant, since the mesh does not resolve it.
+  constexpr double near = 0.02;
+  Rows result(size, count);
+  std::vector<float> distances;
+  for (Index k = 0; k < count; ++k)
+  {
+    Index source = 0;
+    (surface.Positions.rowwise() - landmarks.row(k)).rowwise().squaredNorm().minCoeff(&source);
+    shortestPaths(graph, static_cast<int>(source), distances);
+    for (Index v = 0; v < size; ++v)
+    {
+      result(v, k) = 1.0 / std::hypot(distances[v] / unit, near);
+    }
+    run.report(static_cast<double>(k + 1) / static_cast<double>(count));
+  }
+  for (Index v = 0; v < size; ++v)
+  {
+    result.row(v) /= result.row(v).sum();
+  }
+  const Eigen::RowVectorXd means = areas.transpose() * result;
+  const double variance = areas.dot((result.rowwise() - means).rowwise().squaredNorm());
+  constexpr double flat = 1e-12; // variance of proximities to landmarks at one vertex
+  return variance > flat ? Rows(result / std::sqrt(variance)) : Rows(Rows::Zero(size, count));
+}
+
+//------------------------------------------------------------------------------
 Eigen::VectorXd smoothMeanCurvature(const Mesh& surface, double scale, const Run& run)
 {
   const Eigen::VectorXd areas = vertexAreas(surface.Positions, surface.Triangles) / 6.0;

@@ -42,6 +42,19 @@ struct GeodesicFeatureOptions
 Rows geodesicFeatures(
   const Mesh& surface, const GeodesicFeatureOptions& options = {}, const Run& run = {});
 
+/// Compute the proximity of each vertex to landmarks, selected points of the surface.
+///
+/// Let d_k be the geodesic distance of a vertex from landmark k, as in geodesicFeatures(). The
+/// proximity to landmark k is 1 / d_k, divided by the sum of 1 / d_j over all landmarks j. Between
+/// two landmarks, proximities depend on the ratio of the distances. A point halfway along a short
+/// leg thus has the same proximities as a point halfway along a long leg.
+///
+/// All columns are divided by one number, so that the area-weighted variances of the columns have
+/// the sum 1.
+/// @param[in] landmarks  #L positions on the surface, at least 2
+/// @return #V by #L
+Rows landmarkProximities(const Mesh& surface, const Points& landmarks, const Run& run = {});
+
 /// Compute the mean curvature, smoothed by diffusion. The curvature is multiplied by the square
 /// root of the surface area. The result is independent of the size of the surface.
 /// @param[in] scale  approximate smoothing length, as a multiple of the square root of the area

@@ -57,3 +57,30 @@ TEST(SphereFeatures, NormalizedOnesHaveMeanZeroAndVarianceOne)
   EXPECT_NEAR(weights.dot(features.col(0).cwiseAbs2()) / weights.sum(), 1.0, 1e-14);
   EXPECT_TRUE(features.col(1).isZero()); // says nothing
 }
+
+// On a long body, proximities to its two ends have the sum 1 before scaling, are equal halfway, and
+// do not depend on the size.
+TEST(SphereFeatures, ProximitiesToLandmarksAreRatios)
+{
+  auto mesh = conformal::makeGeodesicSphere(16);
+  mesh.Positions.col(2) *= 4.0;
+  conformal::Points ends(2, 3);
+  ends << 0.0, 0.0, 4.0, 0.0, 0.0, -4.0;
+  const Rows proximities = conformal::landmarkProximities(mesh, ends);
+  const Eigen::VectorXd sums = proximities.rowwise().sum();
+  EXPECT_LT(sums.maxCoeff() - sums.minCoeff(), 1e-9);
+  for (Index v = 0; v < mesh.Positions.rows(); ++v)
+  {
+    if (std::abs(mesh.Positions(v, 2)) < 1e-9)
+    {
+      EXPECT_NEAR(proximities(v, 0) / sums[v], 0.5, 0.02);
+    }
+    if (mesh.Positions(v, 2) > 1.0)
+    {
+      EXPECT_GT(proximities(v, 0), proximities(v, 1));
+    }
+  }
+  mesh.Positions *= 3.0;
+  EXPECT_LT(
+    (conformal::landmarkProximities(mesh, 3.0 * ends) - proximities).cwiseAbs().maxCoeff(), 1e-4);
+}

@@ -92,6 +92,69 @@ TEST(SphericalRegistration, LandmarksThatFoldAreNotMet)
   EXPECT_EQ(result.NumberOfFolds, 0);
 }
 
+// A landmark in a warped map brings the points around it along, not only itself.
+TEST(SphericalRegistration, LandmarksHelpOtherPoints)
+{
+  const RegisteredSurface fixed = head(14), moving = withWarpedMap(fixed, 0.8);
+  SphericalRegistrationOptions options;
+  options.ShapeWeight = 0.0;
+  double last = 1e9;
+  for (const int count : { 2, 6, 12 })
+  {
+    std::vector<std::pair<int, int>> landmarks;
+    for (int i = 0; i < count; ++i)
+    {
+      landmarks.emplace_back(i, i);
+    }
+    const auto result = registerSpheres(moving, fixed, landmarks, {}, options);
+    const double error = meanAngle(result.SpherePositions, fixed.Surface.SpherePositions);
+    EXPECT_LT(error, last) << count;
+    last = error;
+  }
+}
+
+namespace
+{
+// A body with two equal ends: a turn by 180 degrees about z leaves it as it is.
+RegisteredSurface twoEnds()
+{
+  RegisteredSurface result = head(12);
+  result.Surface.Positions = shapes::over(result.Surface.SpherePositions,
+    [](const Vector3& n) -> Vector3
+    {
+      const auto bump = [&](const Vector3& at, double width)
+      { return std::exp((n.dot(at.normalized()) - 1.0) / (width * width)); };
+      return (1.0 + bump({ 1, 0.3, 0.4 }, 0.3) + bump({ -1, -0.3, 0.4 }, 0.3)) *
+        n.cwiseProduct(Vector3(1.6, 0.9, 1.0));
+    });
+  return result;
+}
+}
+
+TEST(SphericalRegistration, EqualEndsAreAmbiguousUnlessALandmarkDecides)
+{
+  const RegisteredSurface surface = twoEnds();
+  const auto result = registerSpheres(surface, surface, {}, {});
+  ASSERT_TRUE(result.IsAmbiguous);
+  ASSERT_EQ(result.Second.size(), 1U);
+  conformal::Points turned = surface.Surface.SpherePositions;
+  turned.leftCols<2>() *= -1.0;
+  const auto& second = result.Second.front();
+  const double same = meanAngle(result.SpherePositions, surface.Surface.SpherePositions);
+  EXPECT_LT(std::min(same, meanAngle(result.SpherePositions, turned)), 2.0);
+  EXPECT_LT(
+    meanAngle(second.SpherePositions, same < 2.0 ? turned : surface.Surface.SpherePositions), 2.0);
+  EXPECT_EQ(second.NumberOfFolds, 0);
+  EXPECT_NEAR(second.AgreementAfter, 1.0, 0.02);
+  conformal::Index end = 0;
+  surface.Surface.Positions.col(0).maxCoeff(&end);
+  const int id = static_cast<int>(end);
+  const auto decided = registerSpheres(surface, surface, { { id, id } }, {});
+  EXPECT_FALSE(decided.IsAmbiguous);
+  EXPECT_LT(meanAngle(decided.SpherePositions, surface.Surface.SpherePositions), 2.0);
+  EXPECT_FALSE(registerSpheres(head(12), head(12), {}, {}).IsAmbiguous);
+}
+
 TEST(SphericalRegistration, SameBitsOnAnyThreads)
 {
   const RegisteredSurface fixed = head(10), moving = withWarpedMap(head(9), 0.5);

@@ -1,4 +1,4 @@
-#include "Register/TriangleStretch.h"
+#include "Measure/TriangleStretch.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "Register/TriangleStretch.h"
+#include "Measure/TriangleStretch.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

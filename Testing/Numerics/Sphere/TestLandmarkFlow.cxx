@@ -1,4 +1,4 @@
-#include "Register/LandmarkFlow.h"
+#include "Sphere/LandmarkFlow.h"
 
 #include "Mesh/GeodesicSphere.h"
 #include "Sphere/SphereOrientation.h"
