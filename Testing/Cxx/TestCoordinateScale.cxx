@@ -112,7 +112,8 @@ Results ResultsAt(const Case& item, double scale)
         GatherArrays(results, "Block" + std::to_string(i), block);
       }
     }
-    if (auto* points = vtkPointSet::SafeDownCast(output))
+    auto* points = vtkPointSet::SafeDownCast(output);
+    if (points && points->GetPoints()) // An optional output may be empty.
     {
       Gather(results, "Points", points->GetPoints()->GetData());
     }

@@ -1,4 +1,4 @@
-#include "Register/MeanMetricMesh.h"
+#include "Sphere/MeanMetricMesh.h"
 
 #include "Base/Steps.h"
 #include "Mesh/MeshTopology.h"

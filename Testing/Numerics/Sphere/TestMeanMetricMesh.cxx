@@ -1,4 +1,4 @@
-#include "Register/MeanMetricMesh.h"
+#include "Sphere/MeanMetricMesh.h"
 
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
