@@ -143,7 +143,6 @@ def register(first, second, frequency, steps):
     registration.SetInputData(first)
     registration.SetFixedData(second)
     registration.SetFrequency(frequency)
-    registration.SetShapeWeight(0.0)  # by the folds alone
     registration.AddFeature("SulcalDepth", 1.0)
     steps.run("Register the folds", registration)
     return registration.GetOutput()

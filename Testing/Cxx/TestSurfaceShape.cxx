@@ -50,7 +50,7 @@ TEST(SurfaceShape, WritesTheContractsArrays)
   const auto surface = fixtures::TwoLobes(12);
   vtkNew<vtkSurfaceShape> filter;
   EXPECT_EQ(filter->GetCurvatureScale(), 0.01);
-  EXPECT_EQ(filter->GetDepthScale(), 0.1);
+  EXPECT_EQ(filter->GetDepthScale(), 0.03);
   filter->SetInputData(surface);
   contract::Observed observed(filter);
   filter->Update();

@@ -17,7 +17,7 @@ struct SurfaceShapeOptions
   double CurvatureScale = 0.01;
   /// Length scale s of the depth (see measureSurfaceShape()), divided by the square root of the
   /// surface area, in [0.001, 1].
-  double DepthScale = 0.1;
+  double DepthScale = 0.03;
 };
 
 /// Shape of a surface, with one number for each vertex in each vector.
