@@ -119,7 +119,7 @@ class TestStudy(unittest.TestCase):
         cls.temporary.cleanup()
 
     def test_files_have_equal_connectivity(self):
-        self.assertEqual((self.run_.returncode, self.run_.stderr), (0, ""))
+        self.assertEqual((self.run_.returncode, without_ambiguity(self.run_.stderr)), (0, ""))
         self.assertIn("variance of modes", self.run_.stdout)
         with open(os.path.join(self.study, "study.json"), encoding="utf-8") as file:
             files = json.load(file)["Files"]
@@ -236,6 +236,11 @@ def screen_of(browser):
         browser.screenshot(path)
         with open(path, "rb") as file:
             return file.read()
+
+
+def without_ambiguity(text):
+    """The lines but those of shapes whose two ends are alike, as the ends of these are."""
+    return "".join(line for line in text.splitlines(True) if "two correspondences are about equally good" not in line)
 
 
 def maps_of(study, names):
@@ -461,7 +466,7 @@ class TestBadInputs(unittest.TestCase):
     def test_equal_scans_have_no_modes(self):
         shutil.copy(os.path.join(self.folder, self.names[0]), os.path.join(self.folder, "copy.ply"))
         run = command(self.folder, "shapes", self.names[0], "copy.ply", "-o", "equal", *SMALL)
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual((run.returncode, without_ambiguity(run.stderr)), (0, ""))
         self.assertEqual(table(self.folder, "equal", "variance.csv"), [])
         self.assertEqual(table(self.folder, "equal", "scores.csv"), [{"scan": "shape 00"}, {"scan": "copy"}])
         shutil.rmtree(os.path.join(self.folder, "equal"))

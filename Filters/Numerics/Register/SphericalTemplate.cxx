@@ -57,19 +57,6 @@ void requireUsable(const std::vector<TemplateInput>& inputs)
   }
 }
 
-// If a registration is ambiguous, choose the result nearest to the positions of the last round, so
-// that no surface turns around from one round to the next.
-void keepNearest(SphericalRegistrationResult& result, const Points& last)
-{
-  if (!result.Second.empty() &&
-    (result.Second.front().SpherePositions - last).squaredNorm() <
-      (result.SpherePositions - last).squaredNorm())
-  {
-    SphericalRegistrationResult second = std::move(result.Second.front());
-    result = std::move(second);
-  }
-}
-
 // Computation of a template: a mean shape with which all surfaces are registered.
 class TemplateSearch
 {
@@ -98,13 +85,7 @@ public:
   Registrations registeredWithMean(
     const RegisteredSurface& mean, const Registrations& last, const Run& run) const
   {
-    Registrations result =
-      this->registered(mean, this->landmarksOf(mean, last), this->Inputs.size(), run);
-    for (std::size_t s = 0; s < result.size(); ++s)
-    {
-      keepNearest(result[s], last[s].SpherePositions);
-    }
-    return result;
+    return this->registered(mean, this->landmarksOf(mean, last), this->Inputs.size(), run);
   }
 
   // Average positions and features over all surfaces, aligned to the surface `front`.

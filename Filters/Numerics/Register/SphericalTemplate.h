@@ -66,8 +66,7 @@ struct SphericalTemplateResult
 /// 2. Register all surfaces with the start surface.
 /// 3. Repeat in rounds: Compute the mean positions and mean features of corresponding points, by
 ///    the latest registrations. Register all surfaces with this mean. Stop if the mean changes by
-///    at most options.Tolerance. If a registration is ambiguous, its result nearest to the latest
-///    registration of the surface is used.
+///    at most options.Tolerance.
 ///
 /// Each registration begins with the input map of the surface, not with the result of the previous
 /// round. For each landmark index, the sphere positions of this landmark are averaged over all
