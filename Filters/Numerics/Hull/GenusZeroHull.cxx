@@ -405,25 +405,32 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   constexpr double maximumNoise = 0.004;
   options.Method = HullMethod::Distance;
   winding.Method = HullMethod::WindingNumbers;
+  const auto isUsable = [](const GenusZeroHullResult& hull)
+  { return hull.Method == HullMethod::WindingNumbers && !hasHandles(hull); };
   // Only winding numbers use what is known about the scanners.
-  if (samples.hasScanners() && samples.dimension() == 3)
+  const bool windingFirst = samples.hasScanners() && samples.dimension() == 3;
+  const double begin = windingFirst ? 0.5 : 0.0;
+  GenusZeroHullResult byAll;
+  if (windingFirst)
   {
-    GenusZeroHullResult byScanners = makeGenusZeroHull(samples, winding, run);
-    if (byScanners.Method == HullMethod::WindingNumbers && !hasHandles(byScanners))
+    byAll = makeGenusZeroHull(samples, winding, run.part(0.0, begin));
+    if (isUsable(byAll))
     {
-      return byScanners;
+      return byAll;
     }
   }
-  GenusZeroHullResult hull = makeGenusZeroHull(samples, options, run.part(0.0, share));
+  GenusZeroHullResult hull = makeGenusZeroHull(samples, options, run.part(begin, share));
   if (samples.dimension() < 3 || !(seemsWrong(hull, samples) || isTorn(hull)))
   {
     return hull;
   }
-  GenusZeroHullResult byAll = makeGenusZeroHull(samples, winding, run.part(share, shareOfSecond));
-  const bool isUsable = byAll.Method == HullMethod::WindingNumbers && !hasHandles(byAll);
+  if (!windingFirst)
+  {
+    byAll = makeGenusZeroHull(samples, winding, run.part(share, shareOfSecond));
+  }
   // For a hull that leaks, the number of samples left out is undefined.
   const Index leftOut = hull.Leaks ? usualStrays(samples) : samples.totalSize() / shareOfLimbs;
-  const bool better = isUsable && (hull.Leaks || byAll.Noise <= maximumNoise) &&
+  const bool better = isUsable(byAll) && (hull.Leaks || byAll.Noise <= maximumNoise) &&
     byAll.NumberOfSamplesOutside <= std::max(hull.NumberOfSamplesOutside, leftOut);
   if (isTorn(hull) && !(better && !isTorn(byAll)))
   {
@@ -437,7 +444,7 @@ GenusZeroHullResult chooseHull(const TrainingSamples& samples, GenusZeroHullOpti
   {
     return byAll;
   }
-  hull.HandlesByChance = isUsable;
+  hull.HandlesByChance = isUsable(byAll);
   return hull;
 }
 
