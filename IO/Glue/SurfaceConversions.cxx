@@ -8,7 +8,9 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -386,6 +388,14 @@ void SetSurfaceData(vtkPolyData* output, conformal::SurfaceData& data)
   points->SetData(ToArray(data.Points));
   output->SetPoints(points);
   AddArrays(data.PointArrays, output->GetPointData());
+  if (!data.ScannerPosition.empty())
+  {
+    vtkNew<vtkDoubleArray> scanner;
+    scanner->SetName("ScannerPosition");
+    scanner->SetNumberOfComponents(3);
+    scanner->InsertNextTuple(data.ScannerPosition.data());
+    output->GetFieldData()->AddArray(scanner);
+  }
   if (isCloud)
   {
     output->SetVerts(VertexOfEachPoint(points->GetNumberOfPoints()));

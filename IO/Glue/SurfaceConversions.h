@@ -29,7 +29,8 @@ conformal::SurfaceData ToSurfaceData(vtkPolyData* input);
 
 /// Move the points, polygons and arrays of a parsed file into an empty VTK surface. The arrays
 /// "Normals", "TCoords", "RGB" and "RGBA" become the active normals, texture coordinates and
-/// scalars. If the file has no polygons, each point gets a vertex cell.
+/// scalars. The position of the scanner becomes the field array "ScannerPosition". If the file has
+/// no polygons, each point gets a vertex cell.
 /// @param[in,out] data  parsed data; the contents are moved into the surface
 void SetSurfaceData(vtkPolyData* surface, conformal::SurfaceData& data);
 

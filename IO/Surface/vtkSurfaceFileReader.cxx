@@ -9,7 +9,6 @@
 #include "Glue/SurfaceConversions.h"
 
 #include "vtkCommunicator.h"
-#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -204,14 +203,6 @@ void vtkSurfaceFileReader::WarnOfAll(
     output->GetFieldData()->AddArray(number);
     vtkWarningMacro(<< fileName << ": " << count << " " << message);
   };
-  if (!data.ScannerPosition.empty())
-  {
-    vtkNew<vtkDoubleArray> scanner;
-    scanner->SetName("ScannerPosition");
-    scanner->SetNumberOfComponents(3);
-    scanner->InsertNextTuple(data.ScannerPosition.data());
-    output->GetFieldData()->AddArray(scanner);
-  }
   warn("NumberOfDroppedPoints", data.DroppedPoints, "points dropped: a coordinate is not finite");
   warn("NumberOfDroppedPolygons", data.DroppedPolygons,
     "polygons dropped: fewer than 3 ids, or a repeated id");

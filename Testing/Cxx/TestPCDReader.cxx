@@ -32,6 +32,23 @@ TEST(PCDReader, WritesTheContractsArraysFromEveryFormat)
   contract::ExpectArray(ascii.Output->GetPointData(), "label", VTK_SHORT, 1, 2);
 }
 
+TEST(PCDReader, WritesThePositionOfTheScanner)
+{
+  const TemporaryFolder folder;
+  const std::string& ascii = samples::AsciiPCD();
+  const auto fieldsOf = [&](const std::string& bytes)
+  {
+    const Reading reading = Read<vtkPCDReader>(folder.write("a.pcd", bytes));
+    contract::ExpectRead(reading);
+    return vtkSmartPointer<vtkFieldData>(reading.Output->GetFieldData());
+  };
+  EXPECT_FALSE(fieldsOf(ascii)->HasArray("ScannerPosition"));
+  const auto fields = fieldsOf(samples::replaced(ascii, "VIEWPOINT 0 0 0", "VIEWPOINT 1 -2 3.5"));
+  contract::ExpectArray(fields, "ScannerPosition", VTK_DOUBLE, 3, 1);
+  const double* position = fields->GetArray("ScannerPosition")->GetTuple3(0);
+  EXPECT_EQ(std::vector<double>(position, position + 3), (std::vector<double>{ 1, -2, 3.5 }));
+}
+
 TEST(PCDReader, RefusesBrokenFilesSayingWhere)
 {
   const TemporaryFolder folder;
