@@ -82,9 +82,9 @@
  *   registered scans, in the unit of the coordinates; 0 if the points form one layer.
  * - field data "MeanQuasiConformalError" and "MaximumQuasiConformalError" (1 value each): mean over
  *   the area of the mesh, and maximum over its triangles, of the ratio of the largest to the
- * smallest stretch by the map to the sphere, see vtkConformalDistortion. 1 for a conformal map. If
- * the mean is above 1.3, or the maximum above 100, there is a warning. Slivers (triangles with a
- * smallest angle below about 6 degrees) are removed from the mesh before the map is computed.
+ *   smallest stretch by the map to the sphere, see vtkConformalDistortion. 1 for a conformal map.
+ *   If the mean is above 1.3, or the maximum above 100, there is a warning. Slivers (triangles with
+ *   a smallest angle below about 6 degrees) are removed from the mesh before the map is computed.
  * - field data "SelfIntersections" (1 value): number of pairs of triangles of an adaptive mesh that
  *   cross each other and have no common vertex. The mesh is smoothed where triangles cross, so that
  *   the value is usually 0.

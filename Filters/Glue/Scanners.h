@@ -24,9 +24,8 @@ inline const char* ScannerPositionName()
 /// point array "ScannerPosition", or the field array "ScannerPosition" with one position. A
 /// position that is not finite is unknown.
 /// @param[out] copy  memory for the positions; must outlive the samples
-/// @throws std::invalid_argument if the array does not have 3 components, or if the field array
-/// does
-///   not have 1 tuple
+/// @throws std::invalid_argument if the array does not have 3 components, or not 1 tuple for each
+///   point, or if the field array does not have 1 tuple
 void SetScanners(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   conformal::TrainingSamples& samples, conformal::Points& copy);
 }

@@ -37,33 +37,6 @@ bool contains(const FreudenthalGrid& grid, const Eigen::Vector3i& node)
   return (node.array() >= 0).all() && (node.array() < size.array()).all();
 }
 
-// Call body(node, coordinates) for the nodes within a distance of a position.
-template <typename Body>
-void forNodesNear(
-  const FreudenthalGrid& grid, const Vector3& place, double distance, const Body& body)
-{
-  const Vector3 x = grid.toGrid(place);
-  const double reach = distance / grid.Spacing;
-  const Eigen::Map<const Eigen::Vector3i> size(grid.Size.data());
-  const Eigen::Vector3i low = (x.array() - reach).ceil().cast<int>().max(0).matrix();
-  const Eigen::Vector3i high =
-    (x.array() + reach).floor().cast<int>().min(size.array() - 1).matrix();
-  Eigen::Vector3i at;
-  for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
-  {
-    for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
-    {
-      for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
-      {
-        if ((at.cast<double>() - Vector3(x)).squaredNorm() <= reach * reach)
-        {
-          body(grid.node(at[0], at[1], at[2]));
-        }
-      }
-    }
-  }
-}
-
 // Mark the nodes along the ray from a point to its scanner, or to the end of the grid.
 void markRay(const FreudenthalGrid& grid, const Vector3& point, const Vector3& toScanner,
   std::vector<std::uint8_t>& marks)
@@ -131,7 +104,8 @@ std::vector<float> freeSpace(const FreudenthalGrid& grid, const Points& points,
   std::vector<std::uint8_t> marks(coarse.numberOfNodes(), Unknown);
   for (Index i = 0; i < points.rows(); ++i)
   {
-    forNodesNear(coarse, points.row(i), nearness, [&](int node) { marks[node] = Near; });
+    forNodesNear(coarse, coarse.toGrid(points.row(i)), nearness / coarse.Spacing, 0,
+      [&](int node) { marks[node] = Near; });
   }
   for (Index i = 0; i < points.rows(); ++i)
   {

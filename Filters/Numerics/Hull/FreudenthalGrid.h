@@ -60,6 +60,35 @@ struct FreudenthalGrid
   std::array<int, 14> neighborSteps() const;
 };
 
+/// Call body(node) for every node within a distance of a position. Nodes in the outer layers of the
+/// grid are skipped.
+/// @param[in] x  position, in grid coordinates
+/// @param[in] distance  maximum distance, in units of the grid spacing
+/// @param[in] layers  number of outer layers to skip
+template <typename Body>
+void forNodesNear(
+  const FreudenthalGrid& grid, const Vector3& x, double distance, int layers, const Body& body)
+{
+  const Eigen::Map<const Eigen::Vector3i> size(grid.Size.data());
+  const Eigen::Vector3i low = (x.array() - distance).ceil().cast<int>().max(layers);
+  const Eigen::Vector3i high =
+    (x.array() + distance).floor().cast<int>().min(size.array() - 1 - layers);
+  Eigen::Vector3i at;
+  for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
+  {
+    for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
+    {
+      for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
+      {
+        if ((at.cast<double>() - x).squaredNorm() <= distance * distance)
+        {
+          body(grid.node(at[0], at[1], at[2]));
+        }
+      }
+    }
+  }
+}
+
 /// Call body(first, last) for every row of nodes along x, without nodes on the faces of the grid.
 /// The row consists of the nodes first to last - 1. Each node of the row has all 14 neighbors.
 void forInnerRows(const FreudenthalGrid& grid, const Run& run,

@@ -301,29 +301,18 @@ private:
   {
     Index count = 0;
     const float enough = static_cast<float>(WideAcrossHole) * lowestOn(way, indicator);
-    const Eigen::Map<const Eigen::Vector3i> size(this->Grid.Size.data());
     for (const int center : way)
     {
-      const Eigen::Vector3i at = this->Grid.coordinates(center);
-      const Eigen::Vector3i lower = (at.array() - distance).cwiseMax(3);
-      const Eigen::Vector3i upper = (at.array() + distance).min(size.array() - 4);
-      for (int z = lower[2]; z <= upper[2]; ++z)
-      {
-        for (int y = lower[1]; y <= upper[1]; ++y)
+      const Vector3 at = this->Grid.coordinates(center).cast<double>();
+      forNodesNear(this->Grid, at, distance, 3,
+        [&](int node)
         {
-          for (int x = lower[0]; x <= upper[0]; ++x)
+          if (this->Inside[node] == Outside && indicator.Values[node] >= enough)
           {
-            const int node = this->Grid.node(x, y, z);
-            const bool isNear =
-              (Eigen::Vector3i(x, y, z) - at).squaredNorm() <= distance * distance;
-            if (isNear && this->Inside[node] == Outside && indicator.Values[node] >= enough)
-            {
-              this->Inside[node] = Joined;
-              ++count;
-            }
+            this->Inside[node] = Joined;
+            ++count;
           }
-        }
-      }
+        });
     }
     return count;
   }
