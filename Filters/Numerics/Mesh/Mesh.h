@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace conformal
 {
 /// Triangle mesh: vertex positions and triangles.
@@ -15,6 +17,26 @@ struct Mesh
   Points Positions;               ///< #V by 3
   conformal::Triangles Triangles; ///< #F by 3 ids, counter-clockwise seen from outside
 };
+
+/// Compute twice the area vector of a triangle: the unit normal times twice the area.
+inline Vector3 twiceAreaVector(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return (b - a).cross(c - a);
+}
+
+/// Compute the quality of a triangle: 1 if equilateral, 0 without area.
+inline double triangleQuality(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  return squares > 0.0 ? 2.0 * std::sqrt(3.0) * twiceAreaVector(a, b, c).norm() / squares : 0.0;
+}
+
+/// Compute the cosine of the angle between two vectors; 0 if one of them is zero.
+inline double cosineBetween(const Vector3& a, const Vector3& b)
+{
+  const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
+  return lengths > 0.0 ? a.dot(b) / lengths : 0.0;
+}
 
 /// Compute the area vector of a triangle: the unit normal times the area.
 inline Vector3 areaVector(const Points& positions, const Triangles& triangles, Index triangle)

@@ -49,24 +49,6 @@ struct Operation
   }
 };
 
-Vector3 areaVector(const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  return (b - a).cross(c - a);
-}
-
-/// Compute the quality of a triangle: 1 if equilateral, 0 without area.
-double quality(const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-  return squares > 0.0 ? 2.0 * std::sqrt(3.0) * areaVector(a, b, c).norm() / squares : 0.0;
-}
-
-double cosine(const Vector3& a, const Vector3& b)
-{
-  const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
-  return lengths > 0.0 ? a.dot(b) / lengths : 0.0;
-}
-
 class Remesher
 {
 public:
@@ -96,7 +78,7 @@ public:
       {
         const int b = ring[i], c = ring[(i + 1) % ring.size()];
         area += a < b && a < c
-          ? 0.5 * areaVector(this->place(a), this->place(b), this->place(c)).norm()
+          ? 0.5 * twiceAreaVector(this->place(a), this->place(b), this->place(c)).norm()
           : 0.0;
       }
     }
@@ -382,8 +364,8 @@ private:
         return false;
       }
       if (id != u && nextId != u &&
-        (cosine(areaVector(from, p, q), areaVector(to, p, q)) < MinimumCosine ||
-          quality(to, p, q) <= MinimumQuality))
+        (cosineBetween(twiceAreaVector(from, p, q), twiceAreaVector(to, p, q)) < MinimumCosine ||
+          triangleQuality(to, p, q) <= MinimumQuality))
       {
         return false;
       }
@@ -407,14 +389,15 @@ private:
       }
       const Vector3 pa = this->place(a), pb = this->place(b), pl = this->place(left),
                     pr = this->place(right);
-      const Vector3 oldLeft = areaVector(pa, pb, pl), oldRight = areaVector(pb, pa, pr);
-      const Vector3 newA = areaVector(pa, pr, pl), newB = areaVector(pb, pl, pr);
+      const Vector3 oldLeft = twiceAreaVector(pa, pb, pl), oldRight = twiceAreaVector(pb, pa, pr);
+      const Vector3 newA = twiceAreaVector(pa, pr, pl), newB = twiceAreaVector(pb, pl, pr);
       const Vector3 mean = oldLeft + oldRight;
-      const double dihedral = cosine(newA, newB);
-      return cosine(newA, mean) > MinimumCosine && cosine(newB, mean) > MinimumCosine &&
-        (dihedral >= minimumDihedral || dihedral >= cosine(oldLeft, oldRight)) &&
-        std::min(quality(pa, pr, pl), quality(pb, pl, pr)) >=
-        minimumQuality * std::min(quality(pa, pb, pl), quality(pb, pa, pr));
+      const double dihedral = cosineBetween(newA, newB);
+      return cosineBetween(newA, mean) > MinimumCosine &&
+        cosineBetween(newB, mean) > MinimumCosine &&
+        (dihedral >= minimumDihedral || dihedral >= cosineBetween(oldLeft, oldRight)) &&
+        std::min(triangleQuality(pa, pr, pl), triangleQuality(pb, pl, pr)) >=
+        minimumQuality * std::min(triangleQuality(pa, pb, pl), triangleQuality(pb, pa, pr));
     };
     this->perform(
       proposed,
@@ -458,7 +441,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Vector3 p = this->place(ring[i]), q = this->place(ring[(i + 1) % ring.size()]);
-      const Vector3 vector = areaVector(from, p, q);
+      const Vector3 vector = twiceAreaVector(from, p, q);
       const double share = vector.norm();
       normal += vector;
       middle += share / 3.0 * (from + p + q);
@@ -488,7 +471,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       const Vector3 p = this->place(ring[i]), q = this->place(ring[(i + 1) % ring.size()]);
-      if (cosine(areaVector(from, p, q), areaVector(to, p, q)) <= MinimumCosine)
+      if (cosineBetween(twiceAreaVector(from, p, q), twiceAreaVector(to, p, q)) <= MinimumCosine)
       {
         return false;
       }

@@ -60,12 +60,9 @@ Vector3 areaVector(const Corners& corners)
   return 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
-/// Compute the quality of a triangle: 1 if equilateral, 0 without area.
 double quality(const Corners& c)
 {
-  const double squares =
-    (c[1] - c[0]).squaredNorm() + (c[2] - c[1]).squaredNorm() + (c[0] - c[2]).squaredNorm();
-  return squares > 0.0 ? 4.0 * std::sqrt(3.0) * areaVector(c).norm() / squares : 0.0;
+  return triangleQuality(c[0], c[1], c[2]);
 }
 
 double meanEdge(const Mesh& mesh)

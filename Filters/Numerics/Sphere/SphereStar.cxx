@@ -1,5 +1,7 @@
 #include "Sphere/SphereStar.h"
 
+#include "Base/IntegerPower.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -87,16 +89,6 @@ std::optional<Vector2> centroid(const std::vector<Vector2>& polygon)
   return polygon[0] + sum / area;
 }
 
-double power(double base, int exponent)
-{
-  double result = base;
-  for (int i = 1; i < exponent; ++i)
-  {
-    result *= base;
-  }
-  return result;
-}
-
 // Terms of the energy that depend on areas: (S/A)^AreaExponent, and the term that penalizes much
 // too small areas.
 struct AreaTerms
@@ -148,7 +140,7 @@ Derivatives derivatives(const std::vector<Vector3>& positions, const Frame& fram
       cotangents[0] * (q - p).squaredNorm() + cotangents[1] * lengthQ + cotangents[2] * lengthP;
     const double inverseDirichlet = 1.0 / dirichlet;
     const AreaTerms terms(source.Area, inverseArea, energy);
-    const double angle = source.Area * power(dirichlet * inverseArea, energy.AngleExponent);
+    const double angle = source.Area * integerPower(dirichlet * inverseArea, energy.AngleExponent);
     const double main = angle * terms.Main, guard = angle * terms.Guard;
 
     // Relative derivatives of D and A; multiples of the identity represent the curvature of the
@@ -250,7 +242,7 @@ double starEnergy(const std::vector<Vector3>& positions, const Vector3& place,
       cotangents[0] * (q - p).squaredNorm() + cotangents[1] * lengthQ + cotangents[2] * lengthP;
     const AreaTerms terms(source.Area, inverseArea, energy);
     sum += source.Area * (terms.Main + terms.Guard) *
-      power(dirichlet * inverseArea, energy.AngleExponent);
+      integerPower(dirichlet * inverseArea, energy.AngleExponent);
   }
   return sum;
 }

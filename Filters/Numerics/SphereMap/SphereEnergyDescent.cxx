@@ -1,5 +1,6 @@
 #include "SphereMap/SphereEnergyDescent.h"
 
+#include "Base/IntegerPower.h"
 #include "Base/NumericalFailure.h"
 #include "Linear/EdgeWeights.h"
 #include "Linear/MultifrontalCholesky.h"
@@ -23,16 +24,6 @@ constexpr int Memory = 8;          // number of earlier steps that L-BFGS uses
 constexpr int StepsPerFactor = 10; // number of steps after which the matrix is factored again
 constexpr double MinimumSlope = 1e-4;
 constexpr double MaximumCotangent = 1e3;
-
-double power(double base, int exponent)
-{
-  double result = base;
-  for (int i = 1; i < exponent; ++i)
-  {
-    result *= base;
-  }
-  return result;
-}
 
 class Descent
 {
@@ -140,7 +131,7 @@ private:
     const double dirichlet =
       w[0] * bc.squaredNorm() + w[1] * ac.squaredNorm() + w[2] * ab.squaredNorm();
     const int m = energy.AngleExponent;
-    const double angle = source.Area * power(dirichlet * inverse, m);
+    const double angle = source.Area * integerPower(dirichlet * inverse, m);
     const double main = angle *
       (energy.AreaExponent == 0.0 ? 1.0 : std::pow(source.Area * inverse, energy.AreaExponent));
     const double guard = angle *

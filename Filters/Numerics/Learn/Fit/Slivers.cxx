@@ -20,30 +20,13 @@ constexpr double LargestCutPart = 0.005;
 
 using Corners = std::array<int, 3>;
 
-Vector3 areaVector(const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  return (b - a).cross(c - a);
-}
-
-double quality(const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-  return squares > 0.0 ? 2.0 * std::sqrt(3.0) * areaVector(a, b, c).norm() / squares : 0.0;
-}
-
-double cosine(const Vector3& a, const Vector3& b)
-{
-  const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
-  return lengths > 0.0 ? a.dot(b) / lengths : 0.0;
-}
-
 Index countSlivers(const Mesh& mesh)
 {
   Index count = 0;
   for (Index r = 0; r < mesh.Triangles.rows(); ++r)
   {
     const auto ids = mesh.Triangles.row(r);
-    count += quality(mesh.Positions.row(ids[0]), mesh.Positions.row(ids[1]),
+    count += triangleQuality(mesh.Positions.row(ids[0]), mesh.Positions.row(ids[1]),
                mesh.Positions.row(ids[2])) < SliverQuality;
   }
   return count;
@@ -158,7 +141,7 @@ private:
 
   double qualityOf(int a, int b, int c) const
   {
-    return quality(this->place(a), this->place(b), this->place(c));
+    return triangleQuality(this->place(a), this->place(b), this->place(c));
   }
 
   void enqueueAround(int v)
@@ -277,9 +260,10 @@ private:
     const double after = std::min(this->qualityOf(a, right, left), this->qualityOf(b, left, right));
     const Vector3 pa = this->place(a), pb = this->place(b), pl = this->place(left),
                   pr = this->place(right);
-    const Vector3 mean = areaVector(pa, pb, pl) + areaVector(pb, pa, pr);
-    if (after <= Gain * before || cosine(areaVector(pa, pr, pl), mean) < MinimumCosine ||
-      cosine(areaVector(pb, pl, pr), mean) < MinimumCosine)
+    const Vector3 mean = twiceAreaVector(pa, pb, pl) + twiceAreaVector(pb, pa, pr);
+    if (after <= Gain * before ||
+      cosineBetween(twiceAreaVector(pa, pr, pl), mean) < MinimumCosine ||
+      cosineBetween(twiceAreaVector(pb, pl, pr), mean) < MinimumCosine)
     {
       return false;
     }
@@ -370,13 +354,13 @@ private:
       {
         continue;
       }
-      const Vector3 old = areaVector(this->place(v), this->place(p), this->place(q)),
-                    moved = areaVector(to, this->place(p), this->place(q));
-      if (this->qualityOf(v, p, q) >= SliverQuality && cosine(old, moved) < MinimumCosine)
+      const Vector3 old = twiceAreaVector(this->place(v), this->place(p), this->place(q)),
+                    moved = twiceAreaVector(to, this->place(p), this->place(q));
+      if (this->qualityOf(v, p, q) >= SliverQuality && cosineBetween(old, moved) < MinimumCosine)
       {
         return 0.0;
       }
-      worst = std::min(worst, quality(to, this->place(p), this->place(q)));
+      worst = std::min(worst, triangleQuality(to, this->place(p), this->place(q)));
     }
     return worst;
   }
