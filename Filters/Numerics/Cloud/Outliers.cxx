@@ -28,6 +28,8 @@ constexpr double FewMarked = 0.001; // share of the samples that ends the rounds
 constexpr int Neighbors = 8;
 constexpr double FromNeighbors = 3.0, Steepness = 0.8;
 
+constexpr Index BlockSize = 256;
+
 Index countMarks(const std::vector<std::uint8_t>& marks)
 {
   return static_cast<Index>(std::count(marks.begin(), marks.end(), 1));
@@ -95,7 +97,6 @@ public:
   }
 
 private:
-  static constexpr Index BlockSize = 256;
   const Points& Clean;
   const PointTree Tree;
   std::vector<double> Squares; // distances to the eighth neighbor
@@ -105,7 +106,6 @@ private:
 //------------------------------------------------------------------------------
 TrainingSamples withoutOutliers(const TrainingSamples& samples, const Run& run)
 {
-  constexpr Index blockSize = 256;
   Steps steps(run, { 0.1, 0.1, 0.5, 0.3 }); // two examinations, clean samples, all samples
   if (samples.dimension() < 3 || !hasOutliers(samples, ExaminedSamples, steps.next()) ||
     !hasOutliers(samples, MarkedSamples, steps.next()))
@@ -119,7 +119,7 @@ TrainingSamples withoutOutliers(const TrainingSamples& samples, const Run& run)
   }
   const OutlierTest isOutlier(clean, run.unwatched());
   std::vector<std::uint8_t> marks(samples.size());
-  forBlocksReporting(steps.next(), samples.size(), blockSize,
+  forBlocksReporting(steps.next(), samples.size(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -235,6 +235,7 @@ SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
     deforming.Frequency = diffeomorphic ? options.Frequency : CoarsestFrequency;
     found = findDeformations(from, to, pairs.Pairs, deforming, searching);
   }
+  const double agreementBefore = featureAgreement(from, to, from.mesh().SpherePositions, weights);
   const auto resultOf = [&](const SphereDeformation& deformation, const Run& part)
   {
     SphericalRegistrationResult result;
@@ -242,7 +243,7 @@ SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
                                                isLastAttempt, result.NumberOfUnmetLandmarks, part)
                                            : transformed(from, pairs, deformation, kind, part);
     result.Stretch = registrationStretch(from, to, result.SpherePositions, 2 * options.Frequency);
-    result.AgreementBefore = featureAgreement(from, to, from.mesh().SpherePositions, weights);
+    result.AgreementBefore = agreementBefore;
     result.AgreementAfter = featureAgreement(from, to, result.SpherePositions, weights);
     result.LandmarkError = pairs.errorOf(result.SpherePositions);
     result.NumberOfFolds = countFlippedTriangles(result.SpherePositions, from.mesh().Triangles);

@@ -346,12 +346,10 @@ private:
   // corner moves.
   bool turns(int from, int to, int p, int q) const
   {
-    for (Index s = 0; s < this->Dimension; s += 3)
+    const auto at = [&](int v) { return this->Coords.col(v); };
+    for (Index s = 0; 3 * s < this->Dimension; ++s)
     {
-      const Vector3 a = this->Coords.col(from).segment<3>(s),
-                    b = this->Coords.col(to).segment<3>(s), c = this->Coords.col(p).segment<3>(s),
-                    d = this->Coords.col(q).segment<3>(s);
-      if ((c - a).cross(d - a).dot((c - b).cross(d - b)) < 0.0)
+      if (normalOf(at(from), at(p), at(q), s).dot(normalOf(at(to), at(p), at(q), s)) < 0.0)
       {
         return true;
       }

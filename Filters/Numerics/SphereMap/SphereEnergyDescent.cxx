@@ -35,7 +35,6 @@ public:
     , Positions(positions)
     , Options(options)
     , Threads(run.unwatched())
-    , Energies(triangles.rows())
     , Stiffness(triangles.rows())
     , Slopes(triangles.rows())
   {
@@ -156,8 +155,7 @@ private:
       {
         for (Index r = begin; r < end; ++r)
         {
-          this->Energies[r] = this->triangleEnergy(positions, r, this->Slopes[r]);
-          sums[begin / BlockSize] += this->Energies[r];
+          sums[begin / BlockSize] += this->triangleEnergy(positions, r, this->Slopes[r]);
         }
       });
     result.Energy = std::accumulate(sums.begin(), sums.end(), 0.0);
@@ -294,7 +292,7 @@ private:
         return true;
       }
     }
-    this->Current = this->evaluate(this->Positions); // restores Energies
+    this->Current = this->evaluate(this->Positions); // restores Stiffness and Slopes
     return false;
   }
 
@@ -304,10 +302,11 @@ private:
   const SphereEnergyDescentOptions& Options;
   const Run Threads;
   std::vector<SourceTriangle> Sources;
-  std::vector<double> Energies;        // of the triangles at the last evaluated positions
-  std::vector<double> Stiffness;       // energies times the squares of the exponents of A
-  std::vector<Eigen::Matrix3d> Slopes; // their derivatives with respect to the corners
-  Evaluation Current;                  // at Positions
+  // Of each triangle, at the last evaluated positions: its energy times the square of the exponent
+  // of A, and the derivatives of its energy with respect to the corners.
+  std::vector<double> Stiffness;
+  std::vector<Eigen::Matrix3d> Slopes;
+  Evaluation Current; // at Positions
   std::unique_ptr<MultifrontalCholesky> Solver;
   std::deque<Pair> Pairs;
   Points LastSolved;
