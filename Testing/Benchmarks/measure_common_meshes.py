@@ -21,7 +21,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
 from conformalsom import (  # pylint: disable=wrong-import-position
-    vtkConsistentRemesh, vtkGlobalConformalMap, vtkSphericalMorph, vtkSphericalTemplate)
+    conformal_map, vtkConsistentRemesh, vtkSphericalMorph, vtkSphericalTemplate)
 from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
 
 from known_objects import facet_normals, points_of, triangles_of  # pylint: disable=wrong-import-position
@@ -96,11 +96,7 @@ def mapped(path, balance):
         array = numpy_to_vtk(numbers, deep=True)
         array.SetName("Landmarks")
         surface.GetPointData().AddArray(array)
-    gcm = vtkGlobalConformalMap()
-    gcm.SetInputData(surface)
-    gcm.SetAreaBalance(balance)
-    gcm.Update()
-    return gcm.GetOutput()
+    return conformal_map(surface, area_balance=balance).polydata
 
 
 def run(algorithm):

@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
-from conformalsom import vtkGlobalConformalMap, vtkSurfaceHarmonics  # pylint: disable=wrong-import-position
+from conformalsom import conformal_map, vtkSurfaceHarmonics  # pylint: disable=wrong-import-position
 from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
 
 from known_objects import facet_normals, points_of, triangles_of  # pylint: disable=wrong-import-position
@@ -26,11 +26,7 @@ DEGREE = 12
 
 
 def mapped(mesh, balance):
-    gcm = vtkGlobalConformalMap()
-    gcm.SetInputData(mesh)
-    gcm.SetAreaBalance(balance)
-    gcm.Update()
-    return gcm.GetOutput()
+    return conformal_map(mesh, area_balance=balance).polydata
 
 
 def sphere_of(surface):
