@@ -49,9 +49,9 @@ void AddOriginalIds(vtkFieldData* data, const char* name, const std::vector<vtkI
 bool IsAsBefore(const Repaired& repaired, vtkPolyData* surface)
 {
   return repaired.Loops.empty() && repaired.NumberOfTrianglesAdded == 0 &&
-    repaired.NumberOfPointsMerged == 0 && repaired.Gluing.NumberOfTurnedTriangles == 0 &&
-    repaired.Gluing.NumberOfRepeatedPoints == 0 && repaired.Gluing.NumberOfDuplicates == 0 &&
-    repaired.Gluing.NumberOfPartsRemoved == 0 &&
+    repaired.NumberOfPointsMerged == 0 && repaired.NumberOfPartsJoined == 0 &&
+    repaired.Gluing.NumberOfTurnedTriangles == 0 && repaired.Gluing.NumberOfRepeatedPoints == 0 &&
+    repaired.Gluing.NumberOfDuplicates == 0 && repaired.Gluing.NumberOfPartsRemoved == 0 &&
     repaired.Positions.rows() == surface->GetNumberOfPoints() &&
     surface->GetNumberOfVerts() + surface->GetNumberOfLines() == 0;
 }
@@ -198,6 +198,8 @@ void AddFigures(vtkFieldData* data, const Repaired& repaired, conformal::Index n
     "triangles with a repeated point, or duplicates of others, were dropped");
   report.Add("NumberOfEdgesSeparated", gluing.NumberOfNonManifoldEdges,
     "edges of more than two triangles were separated");
+  report.Add("NumberOfPartsJoined", repaired.NumberOfPartsJoined,
+    "parts that overlap others were joined with them");
   report.Add("NumberOfPartsRemoved", gluing.NumberOfPartsRemoved,
     "parts other than the largest were left out");
   report.Add("NumberOfTrianglesRemoved", gluing.NumberOfTrianglesRemoved,

@@ -1,9 +1,10 @@
 /**
  * @class   vtkGenusZeroRepair
- * @brief   remove handles, small holes and separate parts from a mesh, and change nothing else
+ * @brief   join overlapping parts of a mesh, and remove handles, small holes and separate parts
  *
- * Repair a triangle mesh so that it is a closed surface of genus zero. The filter keeps the largest
- * connected part of the mesh and fills its holes. The filter cuts each handle (like that of a cup)
+ * Repair a triangle mesh so that it is a closed surface of genus zero. The filter replaces closed
+ * parts that overlap by their union. It keeps the largest connected part of the mesh and fills its
+ * holes. The filter cuts each handle (like that of a cup)
  * along a short loop, which runs around the handle or through its opening. Remaining triangles are
  * not changed. The second output has the loops. The field data report each repair.
  *
@@ -13,8 +14,9 @@
  * Output port 0: vtkPolyData, the largest part as a closed triangle mesh of genus zero, double
  * precision. Triangles are counter-clockwise seen from outside. No point is moved. Remaining
  * triangles keep their coordinates, bit by bit, and their sequence; added triangles follow at the
- * end. If the input needs no repair, it is passed unchanged. The output has
- * - cell array "OriginalCellIds" (vtkIdType): id of the input's cell from which the triangle comes;
+ * end. Where parts overlap, triangles are split along the curve in which the parts cross. If the
+ * input needs no repair, it is passed unchanged. The output has
+ * - cell array "OriginalCellIds" (vtkIdType): id of the input's cell that contains the triangle;
  *   -1 for added triangles.
  * - point array "OriginalPointIds" (vtkIdType): id of the input's point; -1 for added points.
  *   Points along a cut are duplicated.
@@ -42,6 +44,8 @@
  *   handles of the input's largest part.
  * - "NumberOfBoundariesFilled", "NumberOfBoundariesLeft": numbers of holes that were filled and
  *   that were left open.
+ * - "NumberOfPartsJoined": number of closed parts that overlap other parts and were joined with
+ *   them.
  * - "NumberOfPartsRemoved", "NumberOfTrianglesRemoved", "RemovedAreaFraction" (double): number of
  *   the removed parts, number of their triangles, and their fraction of the area of the input. All
  *   parts but the largest are removed.
@@ -52,7 +56,8 @@
  *   duplicates.
  * - "NumberOfEdgesSeparated": number of edges that belonged to more than two triangles. Each was
  *   split into edges of at most two triangles.
- * - "NumberOfTrianglesAdded": number of triangles that fill holes and cuts.
+ * - "NumberOfTrianglesAdded": number of triangles that fill holes and cuts, and of pieces of
+ *   triangles that were split.
  * - "UntouchedFraction" (double): fraction of the input's triangles that are in the output.
  * - "RepairReport" (string): one line for each repair that was made, and for each hole that was
  *   left open.

@@ -445,3 +445,23 @@ TEST(GenusZeroRepair, RunsOnlyWhenModifiedAndPrints)
   contract::ExpectRunsOnlyWhenModified(filter, [&]() { filter->SetMaximumHoleArea(0.5); });
   contract::ExpectPrints(filter, "MaximumHoleArea");
 }
+
+// Two balls of radius 1 whose centers have distance 0.97, like the lobes in a model of a comet.
+TEST(GenusZeroRepair, JoinsOverlappingParts)
+{
+  vtkNew<vtkGenusZeroRepair> filter;
+  contract::Observed observed(filter);
+  filter->SetInputData(Appended(Scaled(1.0, 0.97), Scaled(1.0, 0.0)));
+  filter->Update();
+  observed.ExpectWarning("");
+  ExpectGenusZero(filter->GetOutput());
+  EXPECT_EQ(Figure(filter, "NumberOfPartsJoined"), 1);
+  EXPECT_EQ(Figure(filter, "NumberOfPartsRemoved"), 0);
+  EXPECT_NE(
+    Words(filter).find("1 parts that overlap others were joined with them"), std::string::npos);
+  vtkDataArray* ids = filter->GetOutput()->GetCellData()->GetArray("OriginalCellIds");
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_GE(ids->GetTuple1(i), 0);
+  }
+}

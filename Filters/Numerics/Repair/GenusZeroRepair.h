@@ -43,11 +43,12 @@ struct RepairLoop
 };
 
 /// Repaired mesh, with the source of each triangle and vertex in the input. Unchanged triangles are
-/// first, in the order of the input. Added triangles follow. Likewise, vertices at points of the
-/// input are first, including copies of vertices along cuts. Added vertices follow.
+/// first, in the order of the input. Pieces of triangles that were split where parts overlap
+/// follow, mixed with added triangles. Likewise, vertices at points of the input are first,
+/// including copies of vertices along cuts. Added vertices follow.
 struct GenusZeroRepairResult : Mesh
 {
-  /// Id of the input triangle of each triangle, or -1 for an added triangle, #F.
+  /// Id of the input triangle of each triangle or piece, or -1 for an added triangle, #F.
   std::vector<int> TriangleIds;
   /// Id of the input point of each vertex, or -1 for an added vertex, #V.
   std::vector<int> PointIds;
@@ -58,7 +59,8 @@ struct GenusZeroRepairResult : Mesh
 
   GluingReport Gluing;
   Index NumberOfPointsMerged = 0;
-  Index NumberOfTrianglesAdded = 0;
+  Index NumberOfPartsJoined = 0; ///< number of parts that overlap others and were joined with them
+  Index NumberOfTrianglesAdded = 0; ///< includes pieces of triangles that were split
   Index NumberOfTrianglesUntouched = 0;
   Index EulerNumber = 0;    ///< Euler number of the result, by checkGenusZero()
   bool IsGenusZero = false; ///< whether the result has genus zero, by checkGenusZero()
@@ -69,18 +71,21 @@ struct GenusZeroRepairResult : Mesh
 /// Make a closed surface of genus zero from a mesh with holes, handles, or disconnected parts.
 ///
 /// 1. Merge points with equal coordinates, if they are on open edges (edges of only one triangle).
-///    Connect the triangles along shared edges, so that they form manifolds. Keep the connected
+///    Replace closed parts that overlap by their union (UnionOfParts.h).
+/// 2. Connect the triangles along shared edges, so that they form manifolds. Keep the connected
 ///    manifold of largest area (GluedSurface.h).
-/// 2. Fill each hole by a disk of triangles (LoopCap.h), unless the disk would exceed
+/// 3. Fill each hole by a disk of triangles (LoopCap.h), unless the disk would exceed
 ///    MaximumHoleArea. If two vertices are then joined by several edges, split all of these edges
 ///    but one.
-/// 3. Orient the mesh outward.
-/// 4. While there are handles, find a short loop at each handle (HandleLoops.h). The loop runs
+/// 4. Orient the mesh outward.
+/// 5. While there are handles, find a short loop at each handle (HandleLoops.h). The loop runs
 ///    around the handle, or through its opening if that is shorter. Cut the mesh along the loop.
 ///    The cut duplicates the points of the loop. Fill both boundaries of the cut. The two fillings
 ///    coincide in space.
 ///
-/// No point is moved. If a mesh needs no repair, the result equals the input without unused points.
+/// No point is moved. If parts overlap, their union has added points where edges pass through
+/// triangles, and pieces of triangles. If a mesh needs no repair, the result equals the input
+/// without unused points.
 /// @param[in] points  coordinates of the points, #P by 3; must be finite at points used by
 ///   triangles
 /// @param[in] triangles  #F by 3 ids of points

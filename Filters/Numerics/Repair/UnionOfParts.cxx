@@ -1,0 +1,586 @@
+#include "Repair/UnionOfParts.h"
+
+#include "Base/DisjointSets.h"
+#include "Base/NumericalFailure.h"
+#include "Mesh/Mesh.h"
+#include "Repair/TriangleSplit.h"
+#include "Search/SelfIntersections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace conformal
+{
+namespace
+{
+using Ids = std::array<int, 3>;
+using Pair = std::array<int, 2>;
+
+Pair sorted(int a, int b)
+{
+  return { std::min(a, b), std::max(a, b) };
+}
+
+// Triangle of the mesh, or a piece of one.
+struct Piece
+{
+  Ids Corners;
+  int Source;   // id of the input's triangle
+  int Part;     // name of the part
+  bool IsWhole; // whether it is the input's triangle
+};
+
+// Point where an edge passes through a triangle.
+struct Piercing
+{
+  Pair Edge;
+  int Triangle;
+  double Fraction; // of the edge, from its first end
+};
+
+double sixVolumes(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  return (b - a).cross(c - a).dot(d - a);
+}
+
+// Return the solid angle of a triangle \cite VanOosterom1983, eq. 8.
+double solidAngle(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const double l = a.norm(), m = b.norm(), n = c.norm();
+  return 2.0 *
+    std::atan2(a.dot(b.cross(c)), l * m * n + a.dot(b) * n + b.dot(c) * l + c.dot(a) * m);
+}
+
+// Two parts of a mesh, one of them possibly moved, and the curves along which they cross.
+class Crossing
+{
+public:
+  Crossing(const std::vector<Vector3>& positions, const std::vector<Piece>& pieces,
+    const Pair& parts, const Vector3& offset)
+    : Positions(positions)
+    , Parts(parts)
+  {
+    std::vector<char> isMoved(positions.size(), 0);
+    for (const Piece& piece : pieces)
+    {
+      if (piece.Part == parts[0] || piece.Part == parts[1])
+      {
+        this->Pieces.push_back(piece);
+        for (const int corner : piece.Corners)
+        {
+          isMoved[corner] = piece.Part == parts[1];
+        }
+      }
+    }
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
+      if (isMoved[i])
+      {
+        this->Positions[i] += offset;
+      }
+    }
+    this->Segments.resize(this->Pieces.size());
+  }
+
+  // Find the segments along which triangles of both parts cross.
+  void findSegments(const Run& run)
+  {
+    Points points(static_cast<Index>(this->Positions.size()), 3);
+    Triangles triangles(static_cast<Index>(this->Pieces.size()), 3);
+    for (std::size_t i = 0; i < this->Positions.size(); ++i)
+    {
+      points.row(static_cast<Index>(i)) = this->Positions[i];
+    }
+    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      triangles.row(static_cast<Index>(i)) =
+        Eigen::Map<const Eigen::RowVector3i>(this->Pieces[i].Corners.data());
+    }
+    std::vector<int> uses;
+    for (const Pair& pair : selfIntersections(points, triangles, run))
+    {
+      if (this->Pieces[pair[0]].Part != this->Pieces[pair[1]].Part)
+      {
+        const Pair ends = this->segmentOf(pair[0], pair[1]);
+        this->Segments[pair[0]].push_back(ends);
+        this->Segments[pair[1]].push_back(ends);
+        uses.resize(this->Piercings.size(), 0);
+        ++uses[ends[0]];
+        ++uses[ends[1]];
+      }
+    }
+    if (std::any_of(uses.begin(), uses.end(), [](int n) { return n != 2; }))
+    {
+      throw NumericalFailure("the segments do not form closed curves");
+    }
+  }
+
+  // Split the triangles along the segments. Added points have ids from the number of points on.
+  void split()
+  {
+    this->First = static_cast<int>(this->Positions.size());
+    for (const Piercing& p : this->Piercings)
+    {
+      this->Positions.push_back(
+        (1.0 - p.Fraction) * this->Positions[p.Edge[0]] + p.Fraction * this->Positions[p.Edge[1]]);
+    }
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      if (this->Segments[i].empty())
+      {
+        pieces.push_back(this->Pieces[i]);
+      }
+      else
+      {
+        this->splitOne(this->Pieces[i], this->Segments[i], pieces);
+      }
+    }
+    this->Before.swap(this->Pieces);
+    this->Pieces.swap(pieces);
+  }
+
+  // Return the pieces of each part that are outside of the other part.
+  std::vector<Piece> outside() const
+  {
+    std::set<Pair> curves;
+    for (const auto& segments : this->Segments)
+    {
+      for (const Pair& ends : segments)
+      {
+        curves.insert(sorted(this->First + ends[0], this->First + ends[1]));
+      }
+    }
+    std::map<std::pair<int, Pair>, int> first; // first piece at each edge of each part
+    DisjointSets patches(static_cast<Index>(this->Pieces.size()));
+    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      const Piece& piece = this->Pieces[i];
+      for (int k = 0; k < 3; ++k)
+      {
+        const Pair edge = sorted(piece.Corners[k], piece.Corners[next(k)]);
+        if (curves.count(edge) == 0)
+        {
+          const auto found = first.emplace(std::make_pair(piece.Part, edge), static_cast<int>(i));
+          patches.unite(found.first->second, static_cast<int>(i));
+        }
+      }
+    }
+    std::map<int, std::pair<double, int>> largest; // area and id of the largest piece
+    for (int i = 0; i < static_cast<int>(this->Pieces.size()); ++i)
+    {
+      const Ids& ids = this->Pieces[i].Corners;
+      const double area =
+        twiceAreaVector(this->Positions[ids[0]], this->Positions[ids[1]], this->Positions[ids[2]])
+          .norm();
+      auto& best = largest[patches.find(i)];
+      best = std::max(best, std::make_pair(area, i));
+    }
+    std::map<int, bool> isInside;
+    for (const auto& [patch, best] : largest)
+    {
+      isInside[patch] = this->isInsideOther(this->Pieces[best.second]);
+    }
+    std::vector<Piece> kept;
+    for (int i = 0; i < static_cast<int>(this->Pieces.size()); ++i)
+    {
+      if (!isInside[patches.find(i)])
+      {
+        kept.push_back(this->Pieces[i]);
+        kept.back().Part = this->Parts[0];
+      }
+    }
+    return kept;
+  }
+
+  const std::vector<Piercing>& piercings() const { return this->Piercings; }
+
+private:
+  // Return the two points where an edge of one triangle passes through the other.
+  Pair segmentOf(int a, int b)
+  {
+    Pair ends{};
+    int count = 0;
+    for (const Pair& pair : { Pair{ a, b }, Pair{ b, a } })
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Ids& ids = this->Pieces[pair[0]].Corners;
+        const int piercing = this->piercingOf(sorted(ids[k], ids[next(k)]), pair[1]);
+        if (piercing >= 0)
+        {
+          if (count == 2)
+          {
+            throw NumericalFailure("two triangles have more than one common segment");
+          }
+          ends[count++] = piercing;
+        }
+      }
+    }
+    if (count != 2)
+    {
+      throw NumericalFailure("two triangles touch each other at an edge or a point");
+    }
+    return ends;
+  }
+
+  int piercingOf(const Pair& edge, int triangle)
+  {
+    const Ids& ids = this->Pieces[triangle].Corners;
+    const Vector3 p = this->Positions[edge[0]], q = this->Positions[edge[1]];
+    const std::array<Vector3, 3> t = { this->Positions[ids[0]], this->Positions[ids[1]],
+      this->Positions[ids[2]] };
+    const double before = sixVolumes(t[0], t[1], t[2], p), after = sixVolumes(t[0], t[1], t[2], q);
+    if (before * after >= 0.0)
+    {
+      return -1;
+    }
+    const double u = sixVolumes(p, q, t[0], t[1]), v = sixVolumes(p, q, t[1], t[2]),
+                 w = sixVolumes(p, q, t[2], t[0]);
+    if (!((u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0)))
+    {
+      return -1;
+    }
+    const auto found =
+      this->Known.emplace(std::make_pair(edge, triangle), static_cast<int>(this->Piercings.size()));
+    if (found.second)
+    {
+      this->Piercings.push_back({ edge, triangle, before / (before - after) });
+    }
+    return found.first->second;
+  }
+
+  void splitOne(
+    const Piece& piece, const std::vector<Pair>& segments, std::vector<Piece>& pieces) const
+  {
+    std::vector<int> ids(piece.Corners.begin(), piece.Corners.end());
+    std::map<int, int> places;
+    TriangleSplitInput input;
+    std::array<std::vector<std::pair<double, int>>, 3> onEdges;
+    const auto placeOf = [&](int piercing)
+    {
+      const auto found = places.emplace(piercing, static_cast<int>(ids.size()));
+      if (found.second)
+      {
+        const Piercing& p = this->Piercings[piercing];
+        for (int k = 0; k < 3; ++k)
+        {
+          const int from = piece.Corners[k], to = piece.Corners[next(k)];
+          if (sorted(from, to) == p.Edge)
+          {
+            onEdges[k].emplace_back(
+              from < to ? p.Fraction : 1.0 - p.Fraction, static_cast<int>(ids.size()));
+          }
+        }
+        ids.push_back(this->First + piercing);
+      }
+      return found.first->second;
+    };
+    for (const Pair& ends : segments)
+    {
+      const int first = placeOf(ends[0]);
+      input.Segments.push_back({ first, placeOf(ends[1]) });
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      std::sort(onEdges[k].begin(), onEdges[k].end());
+      for (const auto& entry : onEdges[k])
+      {
+        input.OnEdges[k].push_back(entry.second);
+      }
+    }
+    const Vector3 origin = this->Positions[ids[0]];
+    const Vector3 x = (this->Positions[ids[1]] - origin).normalized();
+    const Vector3 normal =
+      twiceAreaVector(origin, this->Positions[ids[1]], this->Positions[ids[2]]).normalized();
+    const Vector3 y = normal.cross(x);
+    for (const int id : ids)
+    {
+      const Vector3 d = this->Positions[id] - origin;
+      input.Positions.emplace_back(d.dot(x), d.dot(y));
+    }
+    for (const Ids& part : splitTriangle(input))
+    {
+      pieces.push_back(
+        { { ids[part[0]], ids[part[1]], ids[part[2]] }, piece.Source, piece.Part, false });
+    }
+  }
+
+  bool isInsideOther(const Piece& piece) const
+  {
+    const Vector3 center = (this->Positions[piece.Corners[0]] + this->Positions[piece.Corners[1]] +
+                             this->Positions[piece.Corners[2]]) /
+      3.0;
+    double sum = 0.0;
+    for (const Piece& other : this->Before)
+    {
+      if (other.Part != piece.Part)
+      {
+        sum += solidAngle(this->Positions[other.Corners[0]] - center,
+          this->Positions[other.Corners[1]] - center, this->Positions[other.Corners[2]] - center);
+      }
+    }
+    return std::abs(sum) > 2.0 * Pi;
+  }
+
+  std::vector<Vector3> Positions;
+  Pair Parts;
+  std::vector<Piece> Pieces, Before; // of both parts; Before: without splits
+  std::map<std::pair<Pair, int>, int> Known;
+  std::vector<Piercing> Piercings;
+  std::vector<std::vector<Pair>> Segments; // of each triangle in Before
+  int First = 0;                           // id of the first added point
+};
+
+// Mesh whose parts are joined pair by pair.
+class PartsOfMesh
+{
+public:
+  PartsOfMesh(const PointView& points, const Triangles& triangles)
+    : Size(static_cast<int>(points.size()))
+  {
+    DisjointSets sets(points.size());
+    for (Index f = 0; f < triangles.rows(); ++f)
+    {
+      sets.unite(triangles(f, 0), triangles(f, 1));
+      sets.unite(triangles(f, 0), triangles(f, 2));
+    }
+    for (int f = 0; f < static_cast<int>(triangles.rows()); ++f)
+    {
+      this->Pieces.push_back({ { triangles(f, 0), triangles(f, 1), triangles(f, 2) }, f,
+        sets.find(triangles(f, 0)), true });
+    }
+    // Points that no triangle uses can be infinite.
+    this->Positions.assign(points.size(), Vector3::Zero());
+    for (const Piece& piece : this->Pieces)
+    {
+      for (const int corner : piece.Corners)
+      {
+        this->Positions[corner] = points[corner];
+        this->Extent = std::max(this->Extent, points[corner].cwiseAbs().maxCoeff());
+      }
+    }
+    this->findSolids();
+  }
+
+  // Join disjoint pairs of parts that cross each other.
+  // @return whether there were any
+  bool joinSome(const Run& run)
+  {
+    std::set<int> isBusy;
+    bool isChanged = false;
+    for (const Pair& pair : this->crossingParts(run))
+    {
+      if (isBusy.count(pair[0]) + isBusy.count(pair[1]) == 0)
+      {
+        isBusy.insert(pair.begin(), pair.end());
+        isChanged = true;
+        if (!this->join(pair, run))
+        {
+          this->Failed.insert(pair);
+        }
+      }
+    }
+    return isChanged;
+  }
+
+  int numberOfSolids() const { return static_cast<int>(this->Solids.size()); }
+
+  UnionOfParts result() const
+  {
+    UnionOfParts united;
+    united.NumberOfPartsJoined = this->NumberOfPartsJoined;
+    if (united.NumberOfPartsJoined == 0)
+    {
+      return united;
+    }
+    std::vector<Piece> sequence = this->Pieces;
+    std::sort(sequence.begin(), sequence.end(),
+      [](const Piece& a, const Piece& b)
+      { return std::make_pair(!a.IsWhole, a.Source) < std::make_pair(!b.IsWhole, b.Source); });
+    united.AddedPoints.resize(static_cast<Index>(this->Positions.size()) - this->Size, 3);
+    for (Index i = 0; i < united.AddedPoints.rows(); ++i)
+    {
+      united.AddedPoints.row(i) = this->Positions[this->Size + i];
+    }
+    united.Parents = this->Parents;
+    united.Triangles.resize(static_cast<Index>(sequence.size()), 3);
+    for (std::size_t i = 0; i < sequence.size(); ++i)
+    {
+      united.Triangles.row(static_cast<Index>(i)) =
+        Eigen::Map<const Eigen::RowVector3i>(sequence[i].Corners.data());
+      united.TriangleIds.push_back(sequence[i].Source);
+      united.NumberOfWholeTriangles += sequence[i].IsWhole;
+    }
+    return united;
+  }
+
+private:
+  // Find the parts that are closed, consistently oriented, and oriented as the part of largest
+  // volume.
+  void findSolids()
+  {
+    std::map<int, double> volumes;
+    for (const Piece& piece : this->Pieces)
+    {
+      const Ids& ids = piece.Corners;
+      volumes[piece.Part] +=
+        this->Positions[ids[0]].dot(this->Positions[ids[1]].cross(this->Positions[ids[2]]));
+    }
+    if (volumes.size() < 2)
+    {
+      return;
+    }
+    std::vector<Pair> edges; // directed edges of all triangles
+    const auto forEachEdge = [&](const auto& visit)
+    {
+      for (const Piece& piece : this->Pieces)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          visit(piece, piece.Corners[k], piece.Corners[next(k)]);
+        }
+      }
+    };
+    forEachEdge([&](const Piece&, int from, int to) { edges.push_back({ from, to }); });
+    std::sort(edges.begin(), edges.end());
+    const auto count = [&](int from, int to)
+    {
+      const auto range = std::equal_range(edges.begin(), edges.end(), Pair{ from, to });
+      return range.second - range.first;
+    };
+    std::set<int> isOpen;
+    forEachEdge(
+      [&](const Piece& piece, int from, int to)
+      {
+        if (from == to || count(from, to) != 1 || count(to, from) != 1)
+        {
+          isOpen.insert(piece.Part);
+        }
+      });
+    double largest = 0.0;
+    for (const auto& [part, volume] : volumes)
+    {
+      if (isOpen.count(part) == 0 && std::abs(volume) > std::abs(largest))
+      {
+        largest = volume;
+      }
+    }
+    for (const auto& [part, volume] : volumes)
+    {
+      if (isOpen.count(part) == 0 && volume * largest > 0.0)
+      {
+        this->Solids.insert(part);
+      }
+    }
+  }
+
+  std::set<Pair> crossingParts(const Run& run) const
+  {
+    std::vector<int> parts;
+    Points points(static_cast<Index>(this->Positions.size()), 3);
+    Triangles triangles(static_cast<Index>(this->Pieces.size()), 3);
+    for (std::size_t i = 0; i < this->Positions.size(); ++i)
+    {
+      points.row(static_cast<Index>(i)) = this->Positions[i];
+    }
+    for (const Piece& piece : this->Pieces)
+    {
+      if (this->Solids.count(piece.Part) > 0)
+      {
+        triangles.row(static_cast<Index>(parts.size())) =
+          Eigen::Map<const Eigen::RowVector3i>(piece.Corners.data());
+        parts.push_back(piece.Part);
+      }
+    }
+    triangles.conservativeResize(static_cast<Index>(parts.size()), 3);
+    std::set<Pair> crossing;
+    for (const Pair& pair : selfIntersections(points, triangles, run))
+    {
+      const Pair both = sorted(parts[pair[0]], parts[pair[1]]);
+      if (both[0] != both[1] && this->Failed.count(both) == 0)
+      {
+        crossing.insert(both);
+      }
+    }
+    return crossing;
+  }
+
+  bool join(const Pair& parts, const Run& run)
+  {
+    constexpr int numberOfAttempts = 10;
+    double length = 0.0; // of the offset
+    for (int attempt = 0; attempt < numberOfAttempts; ++attempt)
+    {
+      const Vector3 direction = Vector3(
+        std::sin(1.0 + attempt), std::sin(2.0 + 1.7 * attempt), std::sin(3.0 + 2.3 * attempt))
+                                  .normalized();
+      try
+      {
+        Crossing crossing(this->Positions, this->Pieces, parts, length * direction);
+        crossing.findSegments(run);
+        crossing.split();
+        this->replace(parts, crossing);
+        return true;
+      }
+      catch (const NumericalFailure&)
+      {
+        length = attempt == 0 ? 1e-10 * this->Extent : 2.5 * length;
+      }
+    }
+    return false;
+  }
+
+  void replace(const Pair& parts, const Crossing& crossing)
+  {
+    std::vector<Piece> kept = crossing.outside();
+    for (const Piece& piece : this->Pieces)
+    {
+      if (piece.Part != parts[0] && piece.Part != parts[1])
+      {
+        kept.push_back(piece);
+      }
+    }
+    for (const Piercing& p : crossing.piercings())
+    {
+      // Copy the ends: they are elements of the vector that grows.
+      const Vector3 a = this->Positions[p.Edge[0]], b = this->Positions[p.Edge[1]];
+      this->Positions.push_back((1.0 - p.Fraction) * a + p.Fraction * b);
+      this->Parents.push_back({ this->originalPoint(p.Edge[0]), this->originalPoint(p.Edge[1]) });
+    }
+    this->Pieces.swap(kept);
+    this->Solids.erase(parts[1]);
+    ++this->NumberOfPartsJoined;
+  }
+
+  int originalPoint(int point) const
+  {
+    return point < this->Size ? point : this->Parents[point - this->Size][0];
+  }
+
+  int Size; // number of points of the input
+  std::vector<Vector3> Positions;
+  std::vector<Pair> Parents; // of added points
+  std::vector<Piece> Pieces;
+  std::set<int> Solids;
+  std::set<Pair> Failed;
+  double Extent = 0.0;
+  Index NumberOfPartsJoined = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+UnionOfParts uniteParts(const PointView& points, const Triangles& triangles, const Run& run)
+{
+  PartsOfMesh parts(points, triangles);
+  // The number of joins is not known beforehand.
+  const Run watched = run.part(0.0, 0.0);
+  while (parts.numberOfSolids() > 1 && parts.joinSome(watched))
+  {
+  }
+  return parts.result();
+}
+}
