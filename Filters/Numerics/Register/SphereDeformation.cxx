@@ -4,6 +4,7 @@
 #include "Linear/EdgeWeights.h"
 #include "Register/RotationSearch.h"
 #include "Sphere/MoebiusTransform.h"
+#include "Sphere/SphereOrientation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,11 +116,21 @@ public:
     return candidates;
   }
 
-  // Continue the descents on the present sphere, and keep the best candidate.
+  // Descend from a deformation of the coarsest sphere.
+  Candidate from(const Points& places, const Run& run)
+  {
+    std::vector<Candidate> one(1);
+    one.front().Places = places;
+    this->descend(one, LandmarksOnCoarse, CoarseSteps, run);
+    return one.front();
+  }
+
+  // Continue the descents on the present sphere, the last one with smaller weights against folds.
+  // Sort the candidates by energy after the last descent: all have the same correspondences, so
+  // that the pose cannot distinguish them.
   void refine(std::vector<Candidate>& candidates, bool isLast, const Run& run)
   {
     this->descend(candidates, LandmarksOnFine, FineSteps, run.part(0.0, 0.7));
-    candidates.resize(std::min<std::size_t>(candidates.size(), 1));
     if (isLast)
     {
       // The weights that prevent folds also increase the stretch. Reduce these weights at the end.
@@ -128,6 +139,8 @@ public:
       this->Options.Weights.Barrier *= HoldAtTheEnd;
       this->descend(candidates, LandmarksAtTheEnd, FineSteps, run.part(0.7, 1.0));
       this->Options.Weights = held;
+      std::stable_sort(candidates.begin(), candidates.end(),
+        [](const Candidate& a, const Candidate& b) { return a.Energy.Total < b.Energy.Total; });
     }
   }
 
@@ -214,13 +227,37 @@ private:
   DescentOptions Options;
 };
 
-// Compute the score of a descent in the opposite direction, from the inverse of the rotation that
-// is closest to a candidate.
-double scoreBackward(Descents& backward, const SphereGrid& grid, const Candidate& candidate)
+// Return the inverse of a deformation: the places to which it is inverse at the vertices of the
+// grid. Return no points if the inverse folds a triangle of the grid.
+Points inverseOf(const SphereGrid& grid, const Points& places)
 {
-  return backward.fromRotations({ rotationOf(grid, candidate.Places).transpose() }, Run())
-    .front()
-    .Score;
+  const Mesh& rest = grid.mesh();
+  const SphereGrid deformed(Mesh{ places, rest.Triangles });
+  const Points inverse = carried(deformed, rest.Positions, rest.Positions);
+  return countFlippedTriangles(inverse, rest.Triangles) == 0 ? inverse : Points();
+}
+
+// Candidate of the opposite direction, and its inverse after a descent.
+struct BothWays
+{
+  double BackwardScore = 0.0;
+  std::vector<Candidate> Inverse; // empty if the inverse is folded
+};
+
+// Descend in the opposite direction, from the inverse of the rotation that is closest to a
+// candidate. Then descend from the inverse of the result.
+BothWays inOppositeDirection(Descents& forward, Descents& backward, const Candidate& candidate)
+{
+  const Candidate opposite =
+    backward.fromRotations({ rotationOf(forward.grid(), candidate.Places).transpose() }, Run())
+      .front();
+  BothWays both{ opposite.Score, {} };
+  const Points inverse = inverseOf(forward.grid(), opposite.Places);
+  if (inverse.rows() > 0)
+  {
+    both.Inverse.push_back(forward.from(inverse, Run()));
+  }
+  return both;
 }
 
 // Find the best candidate whose correspondences differ from those of the first candidate.
@@ -233,25 +270,24 @@ std::vector<Candidate>::iterator distinctFromFirst(std::vector<Candidate>& candi
 
 // Decide between the best candidate and the best one with other correspondences. If both are about
 // equally good, return the second one. Leave finalists with the correspondences of the first one.
-std::vector<Candidate> takeSecond(std::vector<Candidate>& candidates, const PreparedSurface& moving,
-  const PreparedSurface& fixed, const std::vector<SpherePair>& pairs,
-  const DeformationOptions& options, const SphereGrid& grid)
+std::vector<Candidate> takeSecond(
+  std::vector<Candidate>& candidates, Descents& forward, Descents& backward)
 {
   std::vector<Candidate> second;
   const auto other = distinctFromFirst(candidates);
-  if (other != candidates.end() && other->Score < Comparable * candidates.front().Score)
+  const bool isClose =
+    other != candidates.end() && other->Score < Comparable * candidates.front().Score;
+  const BothWays first = inOppositeDirection(forward, backward, candidates.front());
+  std::vector<Candidate> inverses = first.Inverse;
+  if (isClose)
   {
-    std::vector<SpherePair> turned;
-    for (const SpherePair& pair : pairs)
-    {
-      turned.push_back({ pair.To, pair.From });
-    }
-    Descents backward(fixed, moving, turned, options);
-    const double ratio = std::sqrt(other->Score / candidates.front().Score *
-      scoreBackward(backward, grid, *other) / scoreBackward(backward, grid, candidates.front()));
+    const BothWays ofOther = inOppositeDirection(forward, backward, *other);
+    const double ratio = std::sqrt(
+      other->Score / candidates.front().Score * ofOther.BackwardScore / first.BackwardScore);
     if (ratio < 1.0)
     {
       std::swap(*other, candidates.front());
+      inverses = ofOther.Inverse;
     }
     if (std::max(ratio, 1.0 / ratio) < Ambiguous)
     {
@@ -268,6 +304,7 @@ std::vector<Candidate> takeSecond(std::vector<Candidate>& candidates, const Prep
                      [&](const Candidate& one) { return !isFinalist(one); }),
     candidates.end());
   candidates.resize(std::min<std::size_t>(candidates.size(), NumberOfFinalists));
+  candidates.insert(candidates.end(), inverses.begin(), inverses.end());
   return second;
 }
 }
@@ -313,8 +350,13 @@ FoundDeformations findDeformations(const PreparedSurface& moving, const Prepared
   Descents descents(moving, fixed, pairs, options);
   const std::vector<Eigen::Matrix3d> rotations = descents.rotations(steps.next());
   std::vector<Candidate> candidates = descents.fromRotations(rotations, steps.next());
-  std::vector<Candidate> second =
-    takeSecond(candidates, moving, fixed, pairs, options, descents.grid());
+  std::vector<SpherePair> turned;
+  for (const SpherePair& pair : pairs)
+  {
+    turned.push_back({ pair.To, pair.From });
+  }
+  Descents backward(fixed, moving, turned, options);
+  std::vector<Candidate> second = takeSecond(candidates, descents, backward);
   for (const int frequency : frequencies)
   {
     descents.continueAt(frequency, { &candidates, &second });

@@ -75,8 +75,11 @@ struct FoundDeformations
 ///    different positions, for example the head to the tail. If the ratio of their scores is below
 ///    2, repeat both descents in the opposite direction. The geometric mean of the scores of both
 ///    directions decides. If the ratio of these means is below 1.5, both deformations are returned.
-/// 4. Continue the descents on finer geodesic spheres. The weight of the landmarks grows. In the
-///    last descent, the energy terms against folds have smaller weights.
+/// 4. Also descend in the opposite direction from the deformation of minimum score. The inverse of
+///    the result is another start: descents in both directions end in different local minima.
+/// 5. Continue the descents on finer geodesic spheres. The weight of the landmarks grows. In the
+///    last descent, the energy terms against folds have smaller weights. Choose the deformation of
+///    minimum energy.
 /// @param[in] pairs  landmarks: corresponding positions on the spheres of both surfaces
 /// @throws Aborted
 FoundDeformations findDeformations(const PreparedSurface& moving, const PreparedSurface& fixed,
