@@ -31,43 +31,6 @@ vtkStandardNewMacro(vtkSphericalTemplate);
 
 namespace
 {
-// Return the vertices that are landmarks, by the number above 0 in the landmark array.
-std::map<double, int> LandmarksOf(
-  vtkPolyData* surface, const glue::SurfaceToRegister& registered, const std::string& arrayName)
-{
-  vtkDataArray* array = surface->GetPointData()->GetArray(arrayName.c_str());
-  if (!array || array->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("there is no point array \"" + arrayName +
-      "\" of 1 component; set LandmarkArrayName to the name of one, or to an empty one");
-  }
-  const std::vector<int> vertices = registered.vertices();
-  std::map<double, int> landmarks;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    const double number = array->GetComponent(i, 0);
-    if (!std::isfinite(number))
-    {
-      throw std::invalid_argument("the landmark array is not finite at point " + std::to_string(i));
-    }
-    if (number <= 0.0)
-    {
-      continue;
-    }
-    if (vertices[i] < 0)
-    {
-      throw std::invalid_argument("the landmark at point " + std::to_string(i) +
-        " belongs to no triangle; a landmark must be a point of one");
-    }
-    if (!landmarks.emplace(number, vertices[i]).second)
-    {
-      throw std::invalid_argument("two points have the landmark " + vtkVariant(number).ToString() +
-        "; the second is point " + std::to_string(i));
-    }
-  }
-  return landmarks;
-}
-
 // Return the vertices sorted by landmark number. All surfaces must have the numbers of the first
 // surface.
 std::vector<int> Ordered(
@@ -147,7 +110,7 @@ ReadSurfaces ReadInputs(vtkObject* self, const UsedSurfaces& surfaces,
       if (!landmarkArrayName.empty())
       {
         const std::map<double, int> landmarks =
-          LandmarksOf(surface, inputs.Registered.back(), landmarkArrayName);
+          glue::LandmarksOf(surface, inputs.Registered.back(), landmarkArrayName);
         ofFirst = inputs.Core.empty() ? landmarks : ofFirst;
         input.Landmarks = Ordered(landmarks, ofFirst);
       }

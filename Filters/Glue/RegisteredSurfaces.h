@@ -11,6 +11,7 @@
 
 #include "vtkType.h" // for vtkIdType
 
+#include <map>
 #include <string>  // for names
 #include <utility> // for pairs
 #include <vector>  // for lists
@@ -48,6 +49,14 @@ SurfaceToRegister ToSurfaceToRegister(vtkObject* self, vtkPolyData* surface,
 /// @throws std::invalid_argument if a weight is below 0 or not finite. The message contains the
 ///   name of the feature.
 std::vector<double> WeightsOf(const FeatureList& features);
+
+/// Return the vertices that are landmarks, by their numbers. A landmark is a point whose number in
+/// a point array is above 0.
+/// @param[in] arrayName  name of the point array, which has 1 component
+/// @throws std::invalid_argument if there is no such array, if a number is not finite or occurs
+///   twice, or if a landmark belongs to no triangle
+std::map<double, int> LandmarksOf(
+  vtkPolyData* surface, const SurfaceToRegister& registered, const std::string& arrayName);
 
 /// Compute the sphere positions of all source points after registration. A source point without a
 /// vertex moves with the triangle that contains the point on the sphere.

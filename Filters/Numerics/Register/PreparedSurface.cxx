@@ -26,6 +26,18 @@ struct CurvatureFeature
   double Scale, Saturation;
 };
 constexpr CurvatureFeature CurvatureFeatures[] = { { 0.21, 8.5 }, { 0.07, 17.0 } };
+
+// Move the center of a surface to the origin, and scale its area to 4 pi. Return the areas around
+// the vertices before.
+Eigen::VectorXd centerAndScale(Points& positions, const Triangles& triangles)
+{
+  Eigen::VectorXd areas = vertexAreas(positions, triangles);
+  const double area = areas.sum() / 6.0; // each triangle is counted twice at three corners
+  const Eigen::RowVector3d center = areas.transpose() * positions / areas.sum();
+  positions.rowwise() -= center;
+  positions *= std::sqrt(4.0 * Pi / area);
+  return areas;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -36,7 +48,7 @@ std::vector<double> shapeFeatureWeights()
 
 //------------------------------------------------------------------------------
 PreparedSurface::PreparedSurface(const RegisteredSurface& input, const std::vector<int>& landmarks,
-  bool withShape, const std::string& name, const Run& run)
+  bool withShape, bool withPositions, const std::string& name, const Run& run)
   : Surface(input.Surface)
   , Given(input.Features)
 {
@@ -55,23 +67,18 @@ PreparedSurface::PreparedSurface(const RegisteredSurface& input, const std::vect
       std::to_string(coverage.Degree) + " times with " + std::to_string(folds) +
       " folded triangles, but must cover it once without folds");
   }
-  this->scale();
+  if (withPositions)
+  {
+    this->Expected = input.Expected.rows() > 0 ? input.Expected : this->Surface.Positions;
+    centerAndScale(this->Expected, this->Surface.Triangles);
+  }
+  const Eigen::VectorXd areas = centerAndScale(this->Surface.Positions, this->Surface.Triangles);
+  normalizeFeatures(this->Given, areas);
   this->Own = SphereGrid(Mesh{ this->Surface.SpherePositions, this->Surface.Triangles });
   if (withShape)
   {
     this->computeShape(landmarks, run);
   }
-}
-
-// Move the surface's center to the origin, scale its area to 4 pi, and normalize given features.
-void PreparedSurface::scale()
-{
-  const Eigen::VectorXd areas = vertexAreas(this->Surface.Positions, this->Surface.Triangles);
-  const double area = areas.sum() / 6.0; // each triangle is counted twice at three corners
-  const Eigen::RowVector3d center = areas.transpose() * this->Surface.Positions / areas.sum();
-  this->Surface.Positions.rowwise() -= center;
-  this->Surface.Positions *= std::sqrt(4.0 * Pi / area);
-  normalizeFeatures(this->Given, areas);
 }
 
 SampledSurface PreparedSurface::sampled(int frequency) const
@@ -80,8 +87,8 @@ SampledSurface PreparedSurface::sampled(int frequency) const
   result.Grid = SphereGrid(makeGeodesicSphere(frequency));
   const Points& directions = result.Grid.mesh().Positions;
   const Index shape = this->Shape.cols(), given = this->Given.cols(),
-              proximities = this->Proximities.cols();
-  result.Values.resize(result.Grid.size(), 3 + shape + given + proximities);
+              proximities = this->Proximities.cols(), expected = this->Expected.rows() > 0 ? 3 : 0;
+  result.Values.resize(result.Grid.size(), 3 + shape + given + expected + proximities);
   result.Values.leftCols<3>() = this->positionsAt(directions);
   if (shape > 0)
   {
@@ -90,6 +97,11 @@ SampledSurface PreparedSurface::sampled(int frequency) const
   if (given > 0)
   {
     result.Values.middleCols(3 + shape, given) = this->averagedOn(result.Grid);
+  }
+  if (expected > 0)
+  {
+    result.Values.middleCols(3 + shape + given, expected) =
+      sampleAt(this->Own, this->Expected, directions);
   }
   if (proximities > 0)
   {

@@ -25,6 +25,10 @@ struct RegisteredSurface
   /// #V by #K finite numbers. Each column is a feature, such as the curvature. Registration makes
   /// the features of both surfaces equal at corresponding points, as far as possible.
   Rows Features;
+  /// #V by 3 positions that are compared with those of the other surface if the position weight of
+  /// the registration is above 0. For example, where the surface is expected at the time of the
+  /// other surface. If empty, the positions of the surface are compared.
+  Points Expected;
 };
 
 /// Return the weights of the features that PreparedSurface computes from the shape, relative to the
@@ -38,11 +42,12 @@ class PreparedSurface
 public:
   /// @param[in] landmarks  vertices with a corresponding vertex on the other surface
   /// @param[in] withShape  whether to compute features from the shape and from the landmarks
+  /// @param[in] withPositions  whether positions are features, too
   /// @param[in] name       name of the surface in messages
   /// @throws std::invalid_argument if the map has folds, or does not cover the sphere once
   /// @throws Aborted
   PreparedSurface(const RegisteredSurface& input, const std::vector<int>& landmarks, bool withShape,
-    const std::string& name, const Run& run = {});
+    bool withPositions, const std::string& name, const Run& run = {});
 
   const MappedMesh& mesh() const { return this->Surface; }
   /// Return whether the input map was mirrored. The map of mesh() is never mirrored.
@@ -51,7 +56,7 @@ public:
   Index numberOfProximities() const { return this->Proximities.cols(); }
 
   /// Sample positions and all features at the vertices of a geodesic sphere: features of the shape,
-  /// given features, then the proximities of the landmarks.
+  /// given features, expected positions, then the proximities of the landmarks.
   SampledSurface sampled(int frequency) const;
 
   /// Interpolate positions in directions on the sphere.
@@ -61,13 +66,13 @@ public:
   Rows featuresAt(const Points& directions) const;
 
 private:
-  void scale();
   void computeShape(const std::vector<int>& landmarks, const Run& run);
   Rows averagedOn(const SphereGrid& grid) const;
 
   MappedMesh Surface;
   SphereGrid Own, ShapeGrid;
   Rows Given, Shape, Proximities;
+  Points Expected; // without rows if positions are not features
   bool Mirrored = false;
 };
 }

@@ -189,8 +189,8 @@ std::vector<int> idsOf(const std::vector<std::pair<int, int>>& landmarks, bool o
   return ids;
 }
 
-// Return the weights of all features: first the features of the shape if they are used, then the
-// given features.
+// Return the weights of all features but proximities: first the features of the shape if they are
+// used, then the given features.
 std::vector<double> weightsOf(double shapeWeight, const std::vector<double>& featureWeights)
 {
   std::vector<double> weights = shapeFeatureWeights();
@@ -203,9 +203,11 @@ std::vector<double> weightsOf(double shapeWeight, const std::vector<double>& fea
   return weights;
 }
 
-std::vector<double> withProximities(
-  std::vector<double> weights, double shapeWeight, const PreparedSurface& surface)
+std::vector<double> withProximities(std::vector<double> weights,
+  const SphericalRegistrationOptions& options, const PreparedSurface& surface)
 {
+  const double shapeWeight = options.ShapeWeight;
+  weights.insert(weights.end(), options.PositionWeight > 0.0 ? 3 : 0, options.PositionWeight);
   weights.resize(weights.size() + surface.numberOfProximities(), shapeWeight * ProximityWeight);
   return weights;
 }
@@ -216,11 +218,13 @@ SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
   bool isLastAttempt, const Run& run)
 {
   const bool diffeomorphic = options.Space == SpaceOfTransforms::Diffeomorphic;
-  const bool withShape = options.ShapeWeight > 0.0;
+  const bool withShape = options.ShapeWeight > 0.0, withPositions = options.PositionWeight > 0.0;
   // Progress: both surfaces, the deformation, and the vertices with landmarks and measures.
   Steps steps(run, { 0.15, 0.15, 0.55, 0.15 });
-  const PreparedSurface from(moving, idsOf(landmarks, true), withShape, "moving", steps.next());
-  const PreparedSurface to(fixed, idsOf(landmarks, false), withShape, "fixed", steps.next());
+  const PreparedSurface from(
+    moving, idsOf(landmarks, true), withShape, withPositions, "moving", steps.next());
+  const PreparedSurface to(
+    fixed, idsOf(landmarks, false), withShape, withPositions, "fixed", steps.next());
   const LandmarkPairs pairs(landmarks, from.mesh().SpherePositions, to.mesh().SpherePositions);
   const std::vector<double> weights = weightsOf(options.ShapeWeight, featureWeights);
   const AlignmentKind kind =
@@ -230,7 +234,7 @@ SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
   if (diffeomorphic || landmarks.empty())
   {
     DeformationOptions deforming;
-    deforming.FeatureWeights = withProximities(weights, options.ShapeWeight, from);
+    deforming.FeatureWeights = withProximities(weights, options, from);
     deforming.StretchWeight = options.StretchWeight;
     deforming.Frequency = diffeomorphic ? options.Frequency : CoarsestFrequency;
     found = findDeformations(from, to, pairs.Pairs, deforming, searching);

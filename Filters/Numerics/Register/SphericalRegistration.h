@@ -32,6 +32,10 @@ struct SphericalRegistrationOptions
   /// Weight of the features that are computed from the shapes of the surfaces; 0 to ignore them. A
   /// feature is a number at each vertex, such as the curvature.
   double ShapeWeight = 1.0;
+  /// Weight of the squared distance in space between corresponding points, for surfaces that share
+  /// one space, such as time steps of a body; 0 to ignore it. The unit of length is the square root
+  /// of the area divided by 4 pi. Both centers are at the origin. See RegisteredSurface::Expected.
+  double PositionWeight = 0.0;
   /// Weight of the stretch (symmetric Dirichlet energy) of the map between the surfaces; above 0.
   double StretchWeight = 1.0;
   /// Frequency f of the finest geodesic sphere on which the deformation is computed, at least 8. A

@@ -17,7 +17,7 @@ namespace
 {
 PreparedSurface prepared(const conformal::RegisteredSurface& surface, bool withShape = false)
 {
-  return { surface, {}, withShape, "moving" };
+  return { surface, {}, withShape, false, "moving" };
 }
 }
 

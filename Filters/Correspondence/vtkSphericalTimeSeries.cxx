@@ -1,0 +1,606 @@
+#include "vtkSphericalTimeSeries.h"
+
+#include "Base/CoordinateFrame.h"
+#include "Base/Steps.h"
+#include "Glue/Arrays.h"
+#include "Glue/MappedSurfaces.h"
+#include "Glue/Points.h"
+#include "Glue/RegisteredSurfaces.h"
+#include "Glue/Run.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Motion/SphericalTimeSeries.h"
+#include "Motion/SurfaceMotion.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkSphericalTimeSeries);
+
+namespace
+{
+using Executive = vtkStreamingDemandDrivenPipeline;
+
+// Surface of a time step of the input.
+struct SeriesStep
+{
+  double Time = 0.0;
+  vtkSmartPointer<vtkPolyData> Surface;
+  int Used = -1;     // index among the time steps that are used; -1 if the surface is skipped
+  std::string Fault; // why it is skipped
+};
+
+// What is shown of a time step that is used.
+struct UsedStep
+{
+  glue::SurfaceToRegister Registered;
+  conformal::SphericalRegistrationResult Result;
+  conformal::MovingSurface Moving;
+};
+
+// Time to show: a time step that is used, or a time between two of them.
+struct TimePlace
+{
+  std::size_t First = 0, Second = 0; // equal for the time of a time step
+  double Fraction = 0.0;
+};
+
+std::vector<double> TimesOfInput(vtkInformationVector* inputs)
+{
+  std::vector<double> times;
+  if (inputs->GetNumberOfInformationObjects() == 1)
+  {
+    vtkInformation* info = inputs->GetInformationObject(0);
+    if (info->Has(Executive::TIME_STEPS()) && info->Length(Executive::TIME_STEPS()) > 1)
+    {
+      const double* first = info->Get(Executive::TIME_STEPS());
+      times.assign(first, first + info->Length(Executive::TIME_STEPS()));
+    }
+  }
+  return times;
+}
+
+// Compute the mean of values at vertices, weighted by area.
+double MeanOver(const conformal::MappedMesh& mesh, const std::vector<double>& values)
+{
+  double sum = 0.0, areas = 0.0;
+  for (conformal::Index f = 0; f < mesh.Triangles.rows(); ++f)
+  {
+    const double area = conformal::areaVector(mesh.Positions, mesh.Triangles, f).norm();
+    areas += area;
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += area * values[mesh.Triangles(f, k)] / 3.0;
+    }
+  }
+  return areas > 0.0 ? sum / areas : 0.0;
+}
+
+// Return values of all points from values of vertices; 0 at points of no triangle.
+conformal::Points OfAllPoints(const UsedStep& step, const conformal::Points& ofVertices)
+{
+  conformal::Points all = conformal::Points::Zero(step.Registered.Map.rows(), 3);
+  for (std::size_t v = 0; v < step.Registered.PointIds.size(); ++v)
+  {
+    all.row(step.Registered.PointIds[v]) = ofVertices.row(static_cast<conformal::Index>(v));
+  }
+  return all;
+}
+
+std::vector<double> OfAllPoints(const UsedStep& step, const std::vector<double>& ofVertices)
+{
+  std::vector<double> all(step.Registered.Map.rows(), 0.0);
+  for (std::size_t v = 0; v < step.Registered.PointIds.size(); ++v)
+  {
+    all[step.Registered.PointIds[v]] = ofVertices[v];
+  }
+  return all;
+}
+
+void AddMotion(vtkPolyData* surface, const UsedStep& step, const conformal::SurfaceMotion& motion,
+  const conformal::CoordinateFrame& frame)
+{
+  vtkPointData* data = surface->GetPointData();
+  glue::AddVectors(data, "Velocity", OfAllPoints(step, motion.Velocities) * frame.Unit);
+  glue::AddLengths(data, "NormalVelocity", OfAllPoints(step, motion.Normal), frame);
+  glue::AddVectors(data, "TangentialVelocity", OfAllPoints(step, motion.Tangential) * frame.Unit);
+  glue::AddNumbers(data, "AreaRate", OfAllPoints(step, motion.AreaRates));
+  glue::AddNumbers(data, "ShearRate", OfAllPoints(step, motion.ShearRates));
+}
+
+conformal::SurfaceMotion NoMotion(conformal::Index size)
+{
+  conformal::SurfaceMotion motion;
+  motion.Velocities = motion.Tangential = conformal::Points::Zero(size, 3);
+  motion.Normal.assign(size, 0.0);
+  motion.AreaRates = motion.ShearRates = motion.Normal;
+  return motion;
+}
+}
+
+// Time steps of the input, and their maps.
+class vtkSphericalTimeSeries::Series
+{
+public:
+  std::vector<SeriesStep> Steps; // those read so far
+  std::vector<double> Times;     // of an input with time steps; empty otherwise
+  bool IsDone = false;
+  conformal::KnownRegistrations Known;
+
+  void Forget()
+  {
+    this->Steps.clear();
+    this->IsDone = false;
+  }
+
+  bool IsEmpty() const
+  {
+    return std::all_of(this->Steps.begin(), this->Steps.end(),
+      [](const SeriesStep& step) { return step.Surface->GetNumberOfPoints() == 0; });
+  }
+
+  bool HasAll() const { return !this->Times.empty() && this->Steps.size() == this->Times.size(); }
+
+  // Read the time steps that the input offers now: one of an input with time steps, otherwise all.
+  void Read(vtkInformationVector* inputs)
+  {
+    if (!this->Times.empty())
+    {
+      if (!this->HasAll())
+      {
+        const auto surface = glue::Held(vtkPolyData::GetData(inputs));
+        this->Steps.push_back({ this->Times[this->Steps.size()],
+          surface ? surface : vtkSmartPointer<vtkPolyData>::New(), -1, {} });
+      }
+      return;
+    }
+    glue::Surfaces surfaces;
+    glue::AddSurfaces(inputs, surfaces);
+    this->Steps.clear();
+    for (const auto& surface : surfaces.Held)
+    {
+      this->Steps.push_back({ static_cast<double>(this->Steps.size()), surface, -1, {} });
+    }
+  }
+
+  // Make the maps of all time steps correspond, unless all surfaces are empty.
+  void Compute(vtkAlgorithm* self, const conformal::SphericalTimeSeriesOptions& options,
+    int reference, const std::string& landmarkArrayName)
+  {
+    if (this->IsEmpty())
+    {
+      glue::WarnOfEmptyInput(self, "all surfaces are empty; the output is empty");
+      return;
+    }
+    std::vector<double> shares(this->Steps.size(), 0.03 / static_cast<double>(this->Steps.size()));
+    shares.push_back(0.97);
+    // Relative costs of reading each surface and registration.
+    conformal::Steps progress(glue::RunOf(self), shares);
+    this->Convert(self, landmarkArrayName, progress);
+    this->Register(options, reference, progress.next());
+    this->Warn(self);
+  }
+
+  // Write the surface at a time.
+  void Show(double time, vtkPolyData* output) const
+  {
+    const TimePlace place = this->PlaceOf(time);
+    const UsedStep& step = this->Used[place.First];
+    output->ShallowCopy(this->SurfaceOf(place.First));
+    conformal::SurfaceMotion motion;
+    const bool isBetween = place.Second != place.First;
+    if (isBetween)
+    {
+      const conformal::MovingSurface& later = this->Used[place.Second].Moving;
+      conformal::MovingSurface between = step.Moving;
+      between.Surface.Positions =
+        conformal::positionsBetween(step.Moving.Surface, later.Surface, place.Fraction);
+      motion = conformal::computeMotion(step.Moving, between, later);
+      this->SetPositions(step, between.Surface.Positions, output);
+    }
+    else
+    {
+      motion = this->MotionOf(place.First);
+    }
+    glue::SetRegistration(
+      output, glue::PlacesOfAll(step.Registered, step.Result.SpherePositions), step.Result);
+    AddMotion(output, step, motion, this->Frame);
+    const double shown = isBetween || this->Used.size() < 2
+      ? std::clamp(time, this->Used.front().Moving.Time, this->Used.back().Moving.Time)
+      : step.Moving.Time;
+    glue::AddNumber(output->GetFieldData(), "IsInterpolated", static_cast<long long>(isBetween));
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), shown);
+  }
+
+  void Tabulate(vtkTable* table) const
+  {
+    vtkNew<vtkStringArray> states;
+    vtkNew<vtkIdTypeArray> folds;
+    states->SetName("State");
+    folds->SetName("NumberOfFolds");
+    std::vector<double> times, areas, volumes, moves, stretches, growths, shears;
+    for (std::size_t s = 0; s < this->Steps.size(); ++s)
+    {
+      const int k = this->Steps[s].Used;
+      times.push_back(this->Steps[s].Time);
+      states->InsertNextValue(
+        k < 0 ? "skipped" : (static_cast<int>(s) == this->Reference ? "reference" : "registered"));
+      folds->InsertNextValue(k < 0 ? 0 : this->Used[k].Result.NumberOfFolds);
+      for (std::vector<double>* column :
+        { &areas, &volumes, &moves, &stretches, &growths, &shears })
+      {
+        column->push_back(0.0);
+      }
+      if (k >= 0)
+      {
+        const conformal::MappedMesh& mesh = this->Used[k].Moving.Surface;
+        const conformal::SurfaceMotion motion = this->MotionOf(k);
+        areas.back() = conformal::surfaceArea(mesh.Positions, mesh.Triangles);
+        volumes.back() = conformal::signedVolume(mesh.Positions, mesh.Triangles);
+        moves.back() = this->MoveOf(k) / std::sqrt(areas.back());
+        stretches.back() = this->Used[k].Result.Stretch;
+        growths.back() = MeanOver(mesh, motion.AreaRates);
+        shears.back() = MeanOver(mesh, motion.ShearRates);
+      }
+    }
+    const double area = areas[this->Reference], volume = volumes[this->Reference];
+    for (std::size_t s = 0; s < times.size(); ++s)
+    {
+      areas[s] /= area;
+      volumes[s] = volume != 0.0 ? volumes[s] / volume : 0.0;
+    }
+    vtkFieldData* rows = table->GetRowData();
+    glue::AddNumbers(rows, "Time", times);
+    rows->AddArray(states);
+    glue::AddNumbers(rows, "RelativeArea", areas);
+    glue::AddNumbers(rows, "RelativeVolume", volumes);
+    glue::AddNumbers(rows, "MeanDisplacement", moves);
+    glue::AddNumbers(rows, "RegistrationStretch", stretches);
+    rows->AddArray(folds);
+    glue::AddNumbers(rows, "MeanAreaRate", growths);
+    glue::AddNumbers(rows, "MeanShearRate", shears);
+  }
+
+private:
+  // Convert all surfaces, and find those that cannot be used.
+  void Convert(vtkObject* self, const std::string& landmarkArrayName, conformal::Steps& progress)
+  {
+    std::vector<vtkPointSet*> sets;
+    for (const SeriesStep& step : this->Steps)
+    {
+      sets.push_back(step.Surface);
+    }
+    this->Frame = glue::FrameOf(sets);
+    this->Used.clear();
+    this->Inputs.clear();
+    std::map<double, int> numbers; // of landmarks
+    for (std::size_t s = 0; s < this->Steps.size(); ++s)
+    {
+      SeriesStep& step = this->Steps[s];
+      step.Used = -1;
+      const conformal::Run part = progress.next();
+      try
+      {
+        this->ConvertOne(self, s, landmarkArrayName, numbers, part);
+      }
+      catch (const std::invalid_argument& error)
+      {
+        step.Fault = error.what();
+      }
+    }
+  }
+
+  void Register(
+    conformal::SphericalTimeSeriesOptions options, int reference, const conformal::Run& run)
+  {
+    const auto size = static_cast<int>(this->Steps.size());
+    if (reference >= size)
+    {
+      throw std::invalid_argument("ReferenceStep is " + std::to_string(reference) +
+        ", but there are only " + std::to_string(size) + " time steps, counted from 0");
+    }
+    if (this->Steps[reference].Used < 0)
+    {
+      throw std::invalid_argument("time step " + std::to_string(reference) +
+        ", which is ReferenceStep, cannot be used: " + this->Steps[reference].Fault +
+        "; set ReferenceStep to another time step");
+    }
+    options.Reference = this->Steps[reference].Used;
+    this->Reference = reference;
+    const auto results = conformal::registerTimeSeries(this->Inputs, this->Known, options, run);
+    for (std::size_t k = 0; k < results.size(); ++k)
+    {
+      this->Used[k].Result = results[k];
+      this->Used[k].Moving.Surface = this->Inputs[k].Surface.Surface;
+      this->Used[k].Moving.Surface.SpherePositions = results[k].SpherePositions;
+      this->Used[k].Moving.Time = this->Inputs[k].Time;
+    }
+    this->Inputs.clear();
+    this->IsDone = true;
+  }
+
+  void Warn(vtkObject* self) const
+  {
+    conformal::Index unmet = 0;
+    for (std::size_t s = 0; s < this->Steps.size(); ++s)
+    {
+      if (this->Steps[s].Used < 0)
+      {
+        vtkWarningWithObjectMacro(
+          self, << "time step " << s << " is skipped and interpolated: " << this->Steps[s].Fault);
+      }
+      else
+      {
+        unmet += this->Used[this->Steps[s].Used].Result.NumberOfUnmetLandmarks;
+      }
+    }
+    if (unmet > 0)
+    {
+      vtkWarningWithObjectMacro(
+        self, << unmet << " landmarks cannot be matched without folds of a map");
+    }
+  }
+
+  void ConvertOne(vtkObject* self, std::size_t number, const std::string& landmarkArrayName,
+    std::map<double, int>& numbers, const conformal::Run& run)
+  {
+    SeriesStep& step = this->Steps[number];
+    if (step.Surface->GetNumberOfPoints() == 0)
+    {
+      throw std::invalid_argument("the surface is empty");
+    }
+    UsedStep used;
+    used.Registered = glue::ToSurfaceToRegister(self, step.Surface, {}, this->Frame, run);
+    // Reject maps that registration would reject.
+    const conformal::PreparedSurface usable(used.Registered.Core, {}, false, false, "given");
+    conformal::TimeStep input;
+    input.Name = "time step " + std::to_string(number);
+    input.Time = step.Time;
+    input.Surface = used.Registered.Core;
+    if (!landmarkArrayName.empty() &&
+      step.Surface->GetPointData()->HasArray(landmarkArrayName.c_str()))
+    {
+      for (const auto& [value, vertex] :
+        glue::LandmarksOf(step.Surface, used.Registered, landmarkArrayName))
+      {
+        const int next = static_cast<int>(numbers.size());
+        input.Landmarks[numbers.emplace(value, next).first->second] = vertex;
+      }
+    }
+    step.Used = static_cast<int>(this->Used.size());
+    step.Fault.clear();
+    this->Used.push_back(std::move(used));
+    this->Inputs.push_back(std::move(input));
+  }
+
+  vtkPolyData* SurfaceOf(std::size_t used) const
+  {
+    return std::find_if(this->Steps.begin(), this->Steps.end(),
+      [&](const SeriesStep& step) { return step.Used == static_cast<int>(used); })
+      ->Surface;
+  }
+
+  TimePlace PlaceOf(double time) const
+  {
+    TimePlace place;
+    const auto timeOf = [&](std::size_t k) { return this->Used[k].Moving.Time; };
+    while (place.First + 1 < this->Used.size() && timeOf(place.First + 1) <= time)
+    {
+      ++place.First;
+    }
+    place.Second = place.First;
+    if (time > timeOf(place.First) && place.First + 1 < this->Used.size())
+    {
+      ++place.Second;
+      place.Fraction = (time - timeOf(place.First)) / (timeOf(place.Second) - timeOf(place.First));
+    }
+    return place;
+  }
+
+  conformal::SurfaceMotion MotionOf(std::size_t used) const
+  {
+    const UsedStep& step = this->Used[used];
+    if (this->Used.size() < 2)
+    {
+      return NoMotion(step.Moving.Surface.Positions.rows());
+    }
+    const std::size_t before = used > 0 ? used - 1 : used,
+                      after = used + 1 < this->Used.size() ? used + 1 : used;
+    return conformal::computeMotion(
+      this->Used[before].Moving, step.Moving, this->Used[after].Moving);
+  }
+
+  // Compute the mean distance to the same positions on the sphere at the previous time step.
+  double MoveOf(std::size_t used) const
+  {
+    if (used == 0)
+    {
+      return 0.0;
+    }
+    const conformal::MappedMesh& mesh = this->Used[used].Moving.Surface;
+    const conformal::Points before =
+      conformal::positionsBetween(mesh, this->Used[used - 1].Moving.Surface, 1.0);
+    std::vector<double> distances(mesh.Positions.rows());
+    for (conformal::Index v = 0; v < mesh.Positions.rows(); ++v)
+    {
+      distances[v] = (mesh.Positions.row(v) - before.row(v)).norm();
+    }
+    return MeanOver(mesh, distances);
+  }
+
+  // Move the points that are vertices, and remove normals, which are no longer correct.
+  void SetPositions(
+    const UsedStep& step, const conformal::Points& positions, vtkPolyData* surface) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->DeepCopy(surface->GetPoints());
+    for (std::size_t v = 0; v < step.Registered.PointIds.size(); ++v)
+    {
+      const conformal::Vector3 p =
+        conformal::Vector3(positions.row(static_cast<conformal::Index>(v))) * this->Frame.Unit;
+      points->SetPoint(step.Registered.PointIds[v], p.data());
+    }
+    surface->SetPoints(points);
+    surface->GetPointData()->SetNormals(nullptr);
+  }
+
+  std::vector<UsedStep> Used;
+  std::vector<conformal::TimeStep> Inputs; // of the registration
+  conformal::CoordinateFrame Frame;
+  int Reference = 0;
+};
+
+//------------------------------------------------------------------------------
+vtkSphericalTimeSeries::vtkSphericalTimeSeries()
+  : Kept(std::make_unique<Series>())
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkSphericalTimeSeries::~vtkSphericalTimeSeries() = default;
+
+//------------------------------------------------------------------------------
+vtkTable* vtkSphericalTimeSeries::GetTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalTimeSeries::FillInputPortInformation(int, vtkInformation* info)
+{
+  glue::AcceptSurfaces(info);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalTimeSeries::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalTimeSeries::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // This request is made whenever an input or a property has changed.
+  this->Kept->Forget();
+  this->Kept->Times = TimesOfInput(inputs[0]);
+  std::vector<double> times = this->Kept->Times;
+  if (times.empty())
+  {
+    // Blocks can be counted only if the input is up to date.
+    glue::Surfaces surfaces;
+    try
+    {
+      glue::AddSurfaces(inputs[0], surfaces);
+    }
+    catch (const std::invalid_argument&)
+    {
+      return 1; // RequestData reports it
+    }
+    times.resize(
+      std::max<std::size_t>(surfaces.Held.size(), inputs[0]->GetNumberOfInformationObjects()));
+    for (std::size_t s = 0; s < times.size(); ++s)
+    {
+      times[s] = static_cast<double>(s);
+    }
+  }
+  const double range[2] = { times.empty() ? 0.0 : times.front(),
+    times.empty() ? 0.0 : times.back() };
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(port);
+    info->Set(Executive::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    info->Set(Executive::TIME_RANGE(), range, 2);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalTimeSeries::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  const std::vector<double>& times = this->Kept->Times;
+  if (!times.empty())
+  {
+    // If all time steps are known, request the last one again, so that the input does not change.
+    const std::size_t next = std::min(this->Kept->Steps.size(), times.size() - 1);
+    inputs[0]->GetInformationObject(0)->Set(Executive::UPDATE_TIME_STEP(), times[next]);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSphericalTimeSeries::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const double time =
+    info->Has(Executive::UPDATE_TIME_STEP()) ? info->Get(Executive::UPDATE_TIME_STEP()) : 0.0;
+  request->Remove(Executive::CONTINUE_EXECUTING());
+  Series& series = *this->Kept;
+  conformal::SphericalTimeSeriesOptions options;
+  options.Registration.PositionWeight = this->PositionWeight;
+  options.Registration.ShapeWeight = this->ShapeWeight;
+  options.Registration.StretchWeight = this->StretchWeight;
+  options.Registration.Frequency = this->Frequency;
+  options.NumberOfSweeps = this->NumberOfSweeps;
+  return glue::RunCore(this,
+    [&]()
+    {
+      if (!series.IsDone)
+      {
+        series.Read(inputVector[0]);
+        if (!series.Times.empty() && !series.HasAll())
+        {
+          request->Set(Executive::CONTINUE_EXECUTING(), 1);
+          return;
+        }
+        series.Compute(this, options, this->ReferenceStep, this->LandmarkArrayName);
+      }
+      if (series.IsDone)
+      {
+        series.Show(time, output);
+        series.Tabulate(table);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalTimeSeries::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReferenceStep: " << this->ReferenceStep << "\n";
+  os << indent << "PositionWeight: " << this->PositionWeight << "\n";
+  os << indent << "ShapeWeight: " << this->ShapeWeight << "\n";
+  os << indent << "StretchWeight: " << this->StretchWeight << "\n";
+  os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "NumberOfSweeps: " << this->NumberOfSweeps << "\n";
+  os << indent << "LandmarkArrayName: " << this->LandmarkArrayName << "\n";
+}

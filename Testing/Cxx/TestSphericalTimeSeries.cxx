@@ -1,0 +1,198 @@
+#include "vtkSphericalTimeSeries.h"
+
+#include "FilterContract.h"
+#include "MeshFixtures.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+// A head that grows by a tenth per time.
+vtkSmartPointer<vtkPolyData> HeadAt(double time)
+{
+  vtkSmartPointer<vtkPolyData> surface = fixtures::Head(12, 0.8).Get();
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    surface->GetPoint(i, p);
+    for (double& c : p)
+    {
+      c *= std::exp(0.1 * time);
+    }
+    surface->GetPoints()->SetPoint(i, p);
+  }
+  return surface;
+}
+
+// Source with the time steps 0, 2, 3 and 6. The surface of one of them can be empty.
+class Heads : public vtkPolyDataAlgorithm
+{
+public:
+  static Heads* New();
+  vtkTypeMacro(Heads, vtkPolyDataAlgorithm);
+  int Empty = -1;
+  int NumberOfRuns = 0;
+
+protected:
+  Heads() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    const double times[4] = { 0.0, 2.0, 3.0, 6.0 }, range[2] = { 0.0, 6.0 };
+    vtkInformation* info = outputs->GetInformationObject(0);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 4);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    ++this->NumberOfRuns;
+    if (time != this->Empty)
+    {
+      vtkPolyData::GetData(outputs)->ShallowCopy(HeadAt(time));
+    }
+    vtkPolyData::GetData(outputs)->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    return 1;
+  }
+};
+vtkStandardNewMacro(Heads);
+
+class SphericalTimeSeries : public contract::FilterTest<vtkSphericalTimeSeries>
+{
+protected:
+  SphericalTimeSeries()
+  {
+    this->Filter->SetFrequency(8);
+    this->Filter->SetNumberOfSweeps(0);
+  }
+
+  double MeanOf(const char* name)
+  {
+    vtkDataArray* array = this->Filter->GetOutput()->GetPointData()->GetArray(name);
+    double sum = 0.0;
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      sum += array->GetComponent(i, 0) / static_cast<double>(array->GetNumberOfTuples());
+    }
+    return sum;
+  }
+
+  double SizeOfOutput() { return this->Filter->GetOutput()->GetLength(); }
+  vtkVariant Entry(vtkIdType row, const char* column)
+  {
+    return this->Filter->GetTable()->GetValueByName(row, column);
+  }
+};
+}
+
+TEST_F(SphericalTimeSeries, ReadsTimeStepsOnceAndShowsAnyTime)
+{
+  vtkNew<Heads> heads;
+  this->Filter->SetInputConnection(heads->GetOutputPort());
+  this->Filter->UpdateTimeStep(3.0);
+  this->Seen.ExpectWarning("");
+  contract::ExpectSpherePosition(this->Filter->GetOutput());
+  EXPECT_EQ(heads->NumberOfRuns, 4);
+  EXPECT_NEAR(this->SizeOfOutput(), HeadAt(3.0)->GetLength(), 1e-9);
+  EXPECT_NEAR(this->MeanOf("AreaRate"), 0.2, 0.02);
+  EXPECT_NEAR(this->MeanOf("ShearRate"), 0.0, 0.02);
+  vtkInformation* info = this->Filter->GetOutputInformation(0);
+  ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 4);
+  EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[3], 6.0);
+
+  this->Filter->UpdateTimeStep(2.5);
+  EXPECT_EQ(heads->NumberOfRuns, 4);
+  EXPECT_NEAR(this->SizeOfOutput() / (0.5 * (HeadAt(2.0)->GetLength() + HeadAt(3.0)->GetLength())),
+    1.0, 0.01);
+  EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetArray("IsInterpolated")->GetTuple1(0), 1);
+  EXPECT_EQ(this->Filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 2.5);
+
+  ASSERT_EQ(this->Filter->GetTable()->GetNumberOfRows(), 4);
+  EXPECT_EQ(this->Entry(0, "State").ToString(), "reference");
+  EXPECT_EQ(this->Entry(3, "State").ToString(), "registered");
+  EXPECT_NEAR(
+    this->Entry(3, "Area").ToDouble() / this->Entry(0, "Area").ToDouble(), std::exp(1.2), 1e-9);
+  EXPECT_NEAR(
+    this->Entry(3, "Volume").ToDouble() / this->Entry(0, "Volume").ToDouble(), std::exp(1.8), 1e-9);
+}
+
+TEST_F(SphericalTimeSeries, SkipsSurfacesThatCannotBeUsed)
+{
+  vtkNew<Heads> heads;
+  heads->Empty = 2;
+  this->Filter->SetInputConnection(heads->GetOutputPort());
+  this->Filter->UpdateTimeStep(2.0);
+  this->Seen.ExpectWarning("time step 1 is skipped and interpolated: the surface is empty");
+  EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->Filter->GetOutput()->GetFieldData()->GetArray("IsInterpolated")->GetTuple1(0), 1);
+  EXPECT_EQ(this->Entry(1, "State").ToString(), "skipped");
+
+  this->Filter->SetReferenceStep(1);
+  this->Filter->UpdateTimeStep(2.0);
+  this->Seen.ExpectError("time step 1, which is ReferenceStep, cannot be used");
+  this->Seen.Clear();
+  this->Filter->SetReferenceStep(4);
+  this->Filter->UpdateTimeStep(2.0);
+  this->Seen.ExpectError("ReferenceStep is 4, but there are only 4 time steps");
+}
+
+TEST_F(SphericalTimeSeries, TakesSeparateInputsAndKnowsTheirRegistrations)
+{
+  for (const double time : { 0.0, 1.0, 2.0 })
+  {
+    this->Filter->AddInputDataObject(HeadAt(time));
+  }
+  // Stop after the first registration.
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* filter = static_cast<vtkAlgorithm*>(caller);
+      filter->SetAbortExecute(filter->GetProgress() > 0.6);
+    });
+  const unsigned long tag = this->Filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  this->Filter->RemoveObserver(tag);
+  this->Filter->SetAbortExecute(0);
+  this->Run();
+  this->Seen.ExpectWarning("");
+  EXPECT_GT(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(this->Filter->GetTable()->GetNumberOfRows(), 3);
+}
+
+TEST_F(SphericalTimeSeries, HasTheSameBitsOnAnyThreads)
+{
+  const auto mapOf = [&](int threads)
+  {
+    vtkSMPTools::Initialize(threads);
+    vtkNew<Heads> heads;
+    vtkNew<vtkSphericalTimeSeries> filter;
+    filter->SetFrequency(8);
+    filter->SetInputConnection(heads->GetOutputPort());
+    filter->UpdateTimeStep(6.0);
+    vtkNew<vtkDoubleArray> map;
+    map->DeepCopy(filter->GetOutput()->GetPointData()->GetArray("SpherePosition"));
+    vtkSMPTools::Initialize();
+    return std::vector<double>(map->GetPointer(0), map->GetPointer(0) + map->GetNumberOfValues());
+  };
+  EXPECT_EQ(mapOf(1), mapOf(4));
+}
