@@ -153,7 +153,8 @@ def registered(moving, fixed):
 def aligned(moving, fixed):
     alignment = vtkSphericalAlignment()
     alignment.SetInputData(moving)
-    alignment.SetTargetData(fixed)
+    alignment.SetReferenceData(fixed)
+    alignment.SetTransformToMoebius()
     return paper_models.run(alignment)
 
 
