@@ -84,7 +84,8 @@ TEST(VolumeSurface, ShellsHaveOnlyTheirOuterSide)
   const double outer = 18.0 + std::sqrt(8.0 * std::log(2.0));
   for (Index i = 0; i < surface.Positions.rows(); ++i)
   {
-    ASSERT_NEAR(surface.Positions.row(i).norm(), outer, 0.3);
+    const double radius = surface.Positions.row(i).norm();
+    ASSERT_TRUE(radius > outer - 1.0 && radius < outer + 0.3) << radius; // less in the hole's mouth
   }
   VolumeSurfaceOptions open = unsmoothed(0.5);
   open.ClosingRadius = 0.0;
