@@ -143,7 +143,7 @@ void PaintLayers(vtkImageData* stack, vtkImageData* summary, const LayeredSurfac
   stack->GetPointData()->SetActiveScalars("Intensity");
   vtkFloatArray* maxima = AddFloats(summary->GetPointData(), "LayerMaximum", 1, size);
   vtkFloatArray* means = AddFloats(summary->GetPointData(), "LayerMean", 1, size);
-  vtkFloatArray* depths = AddFloats(summary->GetPointData(), "DepthOfMaximum", 1, size);
+  std::vector<double> depths(size, 0.0);
   summary->GetPointData()->SetActiveScalars("LayerMaximum");
   const auto outside = MakeHoles(summary);
   const conformal::PixelSink sink =
@@ -169,10 +169,11 @@ void PaintLayers(vtkImageData* stack, vtkImageData* summary, const LayeredSurfac
         sampler.summarize(values.data(), place.Inward, place.Outward);
       maxima->SetValue(pixel, static_cast<float>(summed.Maximum));
       means->SetValue(pixel, static_cast<float>(summed.Mean));
-      depths->SetValue(pixel, static_cast<float>(summed.DepthOfMaximum * frame.Unit));
+      depths[pixel] = summed.DepthOfMaximum;
     }
   };
   conformal::paintMap(surface.Mesh, map, sink, run);
+  AddLengths(summary->GetPointData(), "DepthOfMaximum", std::move(depths), frame);
   summary->GetPointData()->AddArray(outside);
   PlaceImage(stack, surface, map, frame);
   PlaceImage(summary, surface, map, frame);

@@ -10,8 +10,8 @@
  * The direction (0, 0, 1) is the north pole of maps. Polygons and strips are treated as triangles.
  *
  * Input port 1: vtkImageData, the volume, in the coordinates of the surface. Spacing, origin and
- * direction of the image are used. Values are interpolated linearly between voxels, and are 0
- * outside of the image.
+ * direction of the image are used. Values are interpolated between voxels by cubic convolution
+ * (R. G. Keys, 1981), within the range of the image's values, and are 0 outside of the image.
  *
  * Output port 0: vtkPolyData, the surface with
  * - point array "Layers" (float, NumberOfLayers components): the values of each layer, the
@@ -35,7 +35,8 @@
  *   the pixel shows; 0 beyond the outline of the map.
  *
  * Output port 2: vtkImageData, one map of ImageSize pixels:
- * - active scalars "LayerMaximum", and point arrays "LayerMean" and "DepthOfMaximum" (float).
+ * - active scalars "LayerMaximum", and the point array "LayerMean" (float).
+ * - point array "DepthOfMaximum" (double), in the unit of the surface.
  * - point array "OutsideSurface" (unsigned char): 1 beyond the outline of the map, and where the
  *   map to the sphere has a hole; otherwise 0.
  *

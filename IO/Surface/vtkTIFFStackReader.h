@@ -62,8 +62,8 @@ public:
   ///@{
   /**
    * Direction of the y axis in the pictures of the file. DOWN (default): the first row of a picture
-   * has the smallest y, so that positions are those of ImageJ. UP: the last row has the smallest y,
-   * as in other readers of VTK. Use UP for maps, such as those that vtkTIFFStackWriter has written
+   * has the smallest y, so that positions are those of ImageJ. UP: the last row has the smallest y.
+   * Use UP for maps, such as those that vtkTIFFStackWriter has written
    * with UP. With UP, a volume is a mirror image of that of ImageJ.
    */
   vtkSetClampMacro(YAxis, int, DOWN, UP);

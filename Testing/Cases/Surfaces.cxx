@@ -213,7 +213,7 @@ vtkSmartPointer<vtkImageData> BallVolume(int size, double scale)
   {
     const double radius =
       std::hypot(along(i % size), along(i / size % size), along(i / size / size));
-    values->SetValue(i, std::clamp(50.0 + 250.0 * (0.8 - radius), 0.0, 100.0));
+    values->SetValue(i, 100.0 / (1.0 + std::exp(20.0 * (radius - 0.8))));
   }
   image->GetPointData()->SetScalars(values);
   return image;

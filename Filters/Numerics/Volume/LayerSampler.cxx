@@ -35,6 +35,9 @@ LayerSampler::LayerSampler(
     throw std::invalid_argument("the spacing and the directions of the image must be finite and "
                                 "independent, and not extremely large or small");
   }
+  const auto [lowest, highest] = std::minmax_element(volume.Values.begin(), volume.Values.end());
+  this->Lowest = *lowest;
+  this->Highest = *highest;
   if (std::none_of(this->Depths.begin(), this->Depths.end(),
         [&](double depth) { return depth >= first && depth <= last; }))
   {
@@ -58,7 +61,9 @@ void LayerSampler::sample(const Vector3& position, const Vector3& normal, double
       isInside = isInside && index[a] >= -half &&
         index[a] <= static_cast<double>(this->Volume.Size[a]) - half;
     }
-    values[i] = isInside ? static_cast<float>(interpolate(this->Volume, index)) : 0.0F;
+    values[i] = isInside
+      ? static_cast<float>(interpolate(this->Volume, index, this->Lowest, this->Highest))
+      : 0.0F;
   }
 }
 

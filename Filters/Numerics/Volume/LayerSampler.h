@@ -1,6 +1,6 @@
 /// Sample an image of three dimensions along the normals of a surface, and summarize the samples.
-/// Own construction: values are interpolated linearly between voxels, at the same depths
-/// everywhere, so that one layer has one meaning all over the surface.
+/// Own construction: depths are the same everywhere, so that one layer has one meaning all over the
+/// surface. Values are interpolated as in \cite Keys1981.
 
 #ifndef ConformalLayerSampler_h
 #define ConformalLayerSampler_h
@@ -53,6 +53,7 @@ private:
   const VolumeImage& Volume;
   std::vector<double> Depths;
   double First, Last;
+  double Lowest = 0.0, Highest = 0.0; ///< range of the values of the image
   Eigen::Matrix3d ToIndex;
 };
 }

@@ -1,6 +1,5 @@
-/// Define images of three dimensions, and interpolate their values linearly between the middles of
-/// voxels. Own construction: beyond the image, values are those of its border, so that a position
-/// that rounding moves out of the image has a value.
+/// Define images of three dimensions, and interpolate their values between the middles of voxels,
+/// \cite Keys1981.
 
 #ifndef ConformalVolumeImage_h
 #define ConformalVolumeImage_h
@@ -38,34 +37,13 @@ struct VolumeImage
   double voxelSize() const { return std::cbrt(std::abs(this->Axes.determinant())); }
 };
 
-/// Interpolate the value at a position between voxels linearly along each axis. Positions outside
-/// of the image have the value of the closest position inside, along the axes of the image.
+/// Interpolate the value at a position between voxels by cubic convolution, \cite Keys1981 with a =
+/// -1/2. The result is limited to the range between the smallest and the largest value of the
+/// image. Positions outside of the image have the value of the closest position inside, along the
+/// axes of the image.
 /// @param[in] index  position in voxels: (i, j, k) is the middle of a voxel; finite
-inline double interpolate(const VolumeImage& volume, const Vector3& index)
-{
-  std::array<Index, 3> first, last;
-  Vector3 weight;
-  for (int a = 0; a < 3; ++a)
-  {
-    const auto end = static_cast<double>(volume.Size[a] - 1);
-    const double place = std::clamp(index[a], 0.0, end);
-    first[a] = static_cast<Index>(place);
-    last[a] = std::min(first[a] + 1, volume.Size[a] - 1);
-    weight[a] = place - static_cast<double>(first[a]);
-  }
-  const auto row = [&](Index j, Index k)
-  {
-    const double begin = volume.Values[volume.id(first[0], j, k)];
-    return begin + weight[0] * (volume.Values[volume.id(last[0], j, k)] - begin);
-  };
-  const auto plane = [&](Index k)
-  {
-    const double begin = row(first[1], k);
-    return begin + weight[1] * (row(last[1], k) - begin);
-  };
-  const double begin = plane(first[2]);
-  return begin + weight[2] * (plane(last[2]) - begin);
-}
+/// @param[in] lowest, highest  range of the values of the image
+double interpolate(const VolumeImage& volume, const Vector3& index, double lowest, double highest);
 }
 
 #endif

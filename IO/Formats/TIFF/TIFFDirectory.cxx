@@ -218,4 +218,12 @@ void TIFFFile::readEntry(TIFFDirectory& result, std::uint16_t tag, std::uint16_t
     numbers.push_back(value);
   }
 }
+
+//------------------------------------------------------------------------------
+bool looksLikeTIFF(std::string_view start)
+{
+  const std::string_view magic = start.substr(0, 4);
+  return magic == std::string_view("II\x2A\0", 4) || magic == std::string_view("MM\0\x2A", 4) ||
+    magic == std::string_view("II\x2B\0", 4) || magic == std::string_view("MM\0\x2B", 4);
+}
 }

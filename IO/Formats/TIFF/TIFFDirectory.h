@@ -5,15 +5,24 @@
 
 #include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
-#include "TIFF/TIFFStackParser.h"
+#include "Bytes/ParseStatus.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace conformal
 {
+/// Function that opens an input at its beginning. Pages refer to each other by offsets, so that the
+/// parser may have to begin anew.
+using OpenInput = std::function<ParseStatus(ByteReader&)>;
+
+/// Test whether the first bytes of a file are those of a TIFF file.
+bool looksLikeTIFF(std::string_view start);
+
 /// Numbers of the tags that are read.
 enum class TIFFTag : std::uint16_t
 {

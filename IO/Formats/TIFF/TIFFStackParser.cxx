@@ -2,7 +2,6 @@
 
 #include "Bytes/ByteOrder.h"
 #include "Bytes/NumberText.h"
-#include "TIFF/TIFFDirectory.h"
 
 #include <zlib.h>
 
@@ -381,13 +380,5 @@ TIFFStackResult parseTIFFStack(
     result.Stack = {};
   }
   return result;
-}
-
-//------------------------------------------------------------------------------
-bool looksLikeTIFF(std::string_view start)
-{
-  const std::string_view magic = start.substr(0, 4);
-  return magic == std::string_view("II\x2A\0", 4) || magic == std::string_view("MM\0\x2A", 4) ||
-    magic == std::string_view("II\x2B\0", 4) || magic == std::string_view("MM\0\x2B", 4);
 }
 }

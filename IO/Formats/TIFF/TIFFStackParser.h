@@ -4,21 +4,15 @@
 #define ConformalTIFFStackParser_h
 
 #include "Base/Run.h"
-#include "Bytes/ByteReader.h"
 #include "Bytes/ParseLimits.h"
 #include "Bytes/ParseStatus.h"
+#include "TIFF/TIFFDirectory.h"
 #include "TIFF/TIFFStack.h"
 
 #include <cstddef>
-#include <functional>
-#include <string_view>
 
 namespace conformal
 {
-/// Function that opens an input at its beginning. Pages refer to each other by offsets, so that the
-/// parser may have to begin anew.
-using OpenInput = std::function<ParseStatus(ByteReader&)>;
-
 struct TIFFStackOptions
 {
   std::size_t Frame = 0;   ///< time step to read
@@ -43,9 +37,6 @@ struct TIFFStackResult
 /// colors, are channels.
 TIFFStackResult parseTIFFStack(const OpenInput& open, const TIFFStackOptions& options = {},
   const ParseLimits& limits = {}, const Run& run = {});
-
-/// Test whether the first bytes of a file are those of a TIFF file.
-bool looksLikeTIFF(std::string_view start);
 }
 
 #endif

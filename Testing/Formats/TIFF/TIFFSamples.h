@@ -89,9 +89,9 @@ inline std::string TIFF(int pages, const TIFFOptions& options = {})
       std::uint64_t Count, Value;
     };
     std::vector<Tag> tags = { { 256, 3, 1, 3 }, { 257, 4, 1, options.Height }, { 258, 3, 1, 16 },
-      { 259, 3, 1, options.IsDeflated ? 8u : 1u }, { 273, 4, 1, offset },
-      { 279, 4, 1, strip.size() }, { 282, 5, 1, ratio }, { 283, 5, 1, ratio },
-      { 65000, 12, 9, 0 } }; // the last is unknown
+      { 259, 3, 1, options.IsDeflated ? 8u : 1u }, { 262, 3, 1, 1 }, { 273, 4, 1, offset },
+      { 277, 3, 1, 1 }, { 279, 4, 1, strip.size() }, { 282, 5, 1, ratio }, { 283, 5, 1, ratio },
+      { 339, 3, 1, 1 }, { 65000, 12, 9, 0 } }; // the last is unknown
     if (options.IsDeflated)
     {
       tags.push_back({ 317, 3, 1, 2 });
