@@ -186,7 +186,17 @@ def beside_the_chain(stages):
     repair = vtkGenusZeroRepair()
     repair.SetInputData(torus())
     repair.Update()
-    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart)
+    outside = conformalsom.vtkVolumeSurfacePoints()
+    outside.SetInputData(output_cases.ball_volume())
+    outside.Update()
+    layers = conformalsom.vtkSurfaceLayers()
+    layers.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    layers.SetVolumeData(output_cases.ball_volume())
+    layers.SetNumberOfLayers(1)
+    layers.SetImageSize(40, 20)
+    layers.Update()
+    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart, outside,
+               layers)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

@@ -43,7 +43,8 @@ GROUPS = {  # submenus of filters
     "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend", "SurfaceNormalMap"),
     "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
                        "ConsistentRemesh"),
-    "Shape": ("BodyMap", "BodyMapImage", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceShape"),
+    "Shape": ("BodyMap", "BodyMapImage", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceLayers",
+              "SurfaceShape", "VolumeSurfacePoints"),
 }
 DATA_TYPES = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",
               "vtkTable": "a table"}
