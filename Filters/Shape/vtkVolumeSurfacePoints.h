@@ -7,15 +7,14 @@
  * The volume is smoothed, and a level separates the object from its background. Points are where
  * the values cross the level.
  *
- * Input port 0: vtkImageData, a volume of any size. vtkTIFFStackReader reads stacks that the
- * programs ImageJ and Fiji have written. vtkNIFTIImageReader and vtkMetaImageReader read other
- * formats. Spacing, origin and direction of the image are used.
+ * Input port 0: vtkImageData, a volume of any size. Spacing, origin and direction of the image are
+ * used.
  *
  * Output port 0: vtkPolyData, points with one vertex cell each. The points are the crossings of the
  * level with the edges between neighboring voxels, on average two or three for each square of the
  * size of a voxel.
- * - active normals "Normals" (double, 3 components): unit vectors to the outside, the direction in
- *   which the smoothed values decrease.
+ * - point array "Normals" (double, 3 components), the active normals: unit vectors to the outside,
+ *   the direction in which the smoothed values decrease.
  * - field data "Level" (1 value): the level that separates the object from the background.
  * - field data "CutFraction" (1 value): fraction of the points at the border of the image, where
  *   the object is cut. Above 0.05, there is a warning.
@@ -28,6 +27,9 @@
  * The level is by N. Otsu, "A threshold selection method from gray-level histograms", IEEE
  * Transactions on Systems, Man, and Cybernetics 9 (1979), Eqs. 18 and 19. Crossings are those of W.
  * E. Lorensen and H. E. Cline, "Marching cubes", SIGGRAPH 1987.
+ *
+ * vtkTIFFStackReader reads stacks that the programs ImageJ and Fiji have written.
+ * vtkNIFTIImageReader and vtkMetaImageReader read other formats.
  *
  * Implementation note: vtkFlyingEdges3D would give the same points with triangles, but also those
  * of cavities, of openings and of the inner side of a shell.

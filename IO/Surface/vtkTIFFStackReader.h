@@ -3,9 +3,8 @@
  * @brief   read a volume from a TIFF stack of ImageJ or Fiji, with its channels and spacing
  *
  * Read a stack of pictures from a TIFF file, such as a volume of a microscope that the programs
- * ImageJ and Fiji have written. Unlike vtkTIFFReader, this reader uses the description of ImageJ:
- * channels become components, time steps are those of the pipeline, and the spacing is that of the
- * file.
+ * ImageJ and Fiji have written. The description of ImageJ is used: channels become components,
+ * frames become time steps, and the spacing is that of the file.
  *
  * Output port 0: vtkImageData, a volume with the origin (0, 0, 0). The slices of the file follow
  * each other along z.
@@ -18,6 +17,8 @@
  * may have 8, 16, 32 or 64 bits per number, in strips that are uncompressed or compressed by
  * deflate, in either byte order. Files beyond 4 GB may be BigTIFF, or stacks of ImageJ. For other
  * files, such as those with tiles or compressed by LZW, the error message states what is not read.
+ *
+ * Unlike this reader, vtkTIFFReader ignores the description.
  *
  * If a file is malformed or truncated, the error message states the offset of the byte. The output
  * is then empty, and an error code of vtkErrorCode is set. If the reader is aborted, the output is

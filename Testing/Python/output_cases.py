@@ -226,6 +226,14 @@ def ball_volume(size=20):
     return image
 
 
+def label_map(width=48):
+    """A map of columns of labels, each six pixels wide."""
+    image = vtkImageData()
+    image.SetDimensions(width, width // 2, 1)
+    image.GetPointData().SetScalars(add(image.GetPointData(), "Cells", (np.arange(width * width // 2) % width // 6).astype(np.int32)))
+    return image
+
+
 def coefficients():
     """A table of harmonics up to degree 5, as vtkSurfaceHarmonics makes it."""
     table, rows = vtkTable(), [(l, m) for l in range(6) for m in range(-l, l + 1)]
@@ -519,6 +527,7 @@ CASES = {
     "vtkBodyMapImage": Filter(
         inputs(mapped, ArrayName="Height"), inputs(mapped, ArrayName="Height", ImageSize=(64, 32)),
         others={"label": properties_of(ArrayName="Label", CentralLongitude=70.0, GraticuleSpacing=0.0)}),
+    "vtkMapLabels": Filter(inputs(mapped, label_map), inputs(mapped, label_map)),
     "vtkSurfaceLayers": Filter(
         inputs(mapped, ball_volume), inputs(mapped, ball_volume, ImageSize=(64, 32), DepthRange=(-0.2, 0.1))),
     "vtkVolumeSurfacePoints": Filter(
