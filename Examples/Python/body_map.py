@@ -25,7 +25,7 @@ from helpers import builtin_figure, mapped_models
 from helpers.builtin_figure import ellipsoid
 from helpers.world_file import write_world_file
 
-PROJECTIONS = ["Equirectangular", "LambertAzimuthal", "Mollweide", "PeirceQuincuncial"]
+PROJECTIONS = ["Equirectangular", "LambertAzimuthal", "Mollweide", "PeirceQuincuncial", "Mercator"]
 INK, PAPER = np.array([40, 44, 52]), 255
 PANEL = 480, 360
 VIEW = (1.0, -0.2, 0.8)
@@ -146,7 +146,7 @@ def main():
     chart.SetInputConnection(body.GetOutputPort())
     chart.SetArrayName("Height")
     getattr(chart, f"SetProjectionTo{args.projection}")()
-    square = args.projection == "PeirceQuincuncial"
+    square = args.projection in ("PeirceQuincuncial", "Mercator")
     chart.SetImageSize(args.width, args.width if square else args.width // 2)
     chart.SetGraticuleSpacing(15.0)
     steps.run(f"Draw its map ({args.projection})", chart)

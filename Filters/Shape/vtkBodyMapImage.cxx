@@ -232,7 +232,7 @@ int vtkBodyMapImage::RequestData(
 void vtkBodyMapImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const projections[] = { "Equirectangular", "LambertAzimuthal", "Mollweide",
-    "PeirceQuincuncial" };
+    "PeirceQuincuncial", "Mercator" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "Projection: " << projections[this->Projection] << "\n";

@@ -1,6 +1,6 @@
 /**
  * @class   vtkBodyMapImage
- * @brief   draw a map of a body: any point array in one of four projections of the sphere
+ * @brief   draw a map of a body: any point array in one of five projections of the sphere
  *
  * Draw a map of a whole body for which vtkBodyMap has computed longitudes and latitudes. The map is
  * an image whose pixels show the values of a point array. Further point arrays mark pixels beyond
@@ -60,7 +60,8 @@ public:
     EQUIRECTANGULAR = 0,
     LAMBERT_AZIMUTHAL = 1,
     MOLLWEIDE = 2,
-    PEIRCE_QUINCUNCIAL = 3
+    PEIRCE_QUINCUNCIAL = 3,
+    MERCATOR = 4
   };
 
   enum CoordinateKinds
@@ -84,13 +85,15 @@ public:
    * hemisphere is left, and the southern is right, 2 : 1. MOLLWEIDE: preserves areas; the map is an
    * ellipse, 2 : 1. PEIRCE_QUINCUNCIAL: preserves angles, except at four points of the equator; the
    * map is a square with the north pole in the middle and the south pole in its corners, 1 : 1.
+   * MERCATOR: preserves angles; the map ends at latitudes of 85.05 degrees, 1 : 1.
    */
-  vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, PEIRCE_QUINCUNCIAL);
+  vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, MERCATOR);
   vtkGetMacro(Projection, int);
   void SetProjectionToEquirectangular() { this->SetProjection(EQUIRECTANGULAR); }
   void SetProjectionToLambertAzimuthal() { this->SetProjection(LAMBERT_AZIMUTHAL); }
   void SetProjectionToMollweide() { this->SetProjection(MOLLWEIDE); }
   void SetProjectionToPeirceQuincuncial() { this->SetProjection(PEIRCE_QUINCUNCIAL); }
+  void SetProjectionToMercator() { this->SetProjection(MERCATOR); }
   ///@}
 
   ///@{

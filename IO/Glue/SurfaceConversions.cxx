@@ -30,6 +30,35 @@
 
 namespace glue
 {
+//------------------------------------------------------------------------------
+int VTKTypeOf(conformal::ScalarType type)
+{
+  switch (type)
+  {
+    case conformal::ScalarType::Int8:
+      return VTK_SIGNED_CHAR;
+    case conformal::ScalarType::UInt8:
+      return VTK_UNSIGNED_CHAR;
+    case conformal::ScalarType::Int16:
+      return VTK_SHORT;
+    case conformal::ScalarType::UInt16:
+      return VTK_UNSIGNED_SHORT;
+    case conformal::ScalarType::Int32:
+      return VTK_INT;
+    case conformal::ScalarType::UInt32:
+      return VTK_UNSIGNED_INT;
+    case conformal::ScalarType::Float32:
+      return VTK_FLOAT;
+    case conformal::ScalarType::Int64:
+      return VTK_TYPE_INT64;
+    case conformal::ScalarType::UInt64:
+      return VTK_TYPE_UINT64;
+    case conformal::ScalarType::Float64:
+      break;
+  }
+  return VTK_DOUBLE;
+}
+
 namespace
 {
 // Return the ScalarType that can represent all numbers of a VTK type.
@@ -61,34 +90,6 @@ conformal::ScalarType TypeOf(int type)
     default:
       return conformal::ScalarType::Float64;
   }
-}
-
-int VTKTypeOf(conformal::ScalarType type)
-{
-  switch (type)
-  {
-    case conformal::ScalarType::Int8:
-      return VTK_SIGNED_CHAR;
-    case conformal::ScalarType::UInt8:
-      return VTK_UNSIGNED_CHAR;
-    case conformal::ScalarType::Int16:
-      return VTK_SHORT;
-    case conformal::ScalarType::UInt16:
-      return VTK_UNSIGNED_SHORT;
-    case conformal::ScalarType::Int32:
-      return VTK_INT;
-    case conformal::ScalarType::UInt32:
-      return VTK_UNSIGNED_INT;
-    case conformal::ScalarType::Float32:
-      return VTK_FLOAT;
-    case conformal::ScalarType::Int64:
-      return VTK_TYPE_INT64;
-    case conformal::ScalarType::UInt64:
-      return VTK_TYPE_UINT64;
-    case conformal::ScalarType::Float64:
-      break;
-  }
-  return VTK_DOUBLE;
 }
 
 // Convert a parsed array to an array of VTK, which adopts the memory.

@@ -3,6 +3,7 @@
 #ifndef GlueSurfaceConversions_h
 #define GlueSurfaceConversions_h
 
+#include "Bytes/ScalarType.h"  // for VTKTypeOf
 #include "Bytes/SurfaceData.h" // for SurfaceData
 
 #include "vtkPolyData.h"     // for vtkSmartPointer<vtkPolyData>
@@ -13,6 +14,9 @@ class vtkUnsignedCharArray;
 
 namespace glue
 {
+/// Return the type of VTK, such as VTK_FLOAT, for a type of numbers in files.
+int VTKTypeOf(conformal::ScalarType type);
+
 /// Return a surface whose polygons are all triangles. If the input has only triangles as polygons,
 /// and no strips, the result is the input itself. Otherwise, the result is a triangulated copy
 /// without vertex cells and line cells.

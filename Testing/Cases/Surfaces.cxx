@@ -196,4 +196,26 @@ vtkSmartPointer<vtkImageData> LargePicture()
   std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer()), 3 * 512 * 512, 100);
   return image;
 }
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> BallVolume(int size, double scale)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size, size, size);
+  const double step = 2.0 * scale / size, first = 0.5 * step - scale;
+  image->SetSpacing(step, step, step);
+  image->SetOrigin(first, first, first);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Brightness");
+  values->SetNumberOfValues(image->GetNumberOfPoints());
+  const auto along = [=](vtkIdType i) { return (2.0 * static_cast<double>(i) + 1.0) / size - 1.0; };
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double radius =
+      std::hypot(along(i % size), along(i / size % size), along(i / size / size));
+    values->SetValue(i, 100.0 / (1.0 + std::exp(20.0 * (radius - 0.8))));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
 }

@@ -50,6 +50,10 @@ SurfacePointer Colored(const SurfacePointer& surface);
 /// Return a surface with texture coordinates from longitude and latitude.
 SurfacePointer WithTexture(const SurfacePointer& surface);
 
+/// Return a volume of size^3 voxels of the values 0 to 100 around (0, 0, 0). The image fills the
+/// cube of edge 2 scale. The values are above 50 in a ball of radius 0.8 scale.
+vtkSmartPointer<vtkImageData> BallVolume(int size, double scale = 1.0);
+
 /// Return a picture of 512 x 512 pixels.
 vtkSmartPointer<vtkImageData> LargePicture();
 }

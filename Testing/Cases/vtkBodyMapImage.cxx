@@ -25,7 +25,8 @@ std::vector<Mirror> Mirrors()
       static_cast<int>(MapProjection::LambertAzimuthal)),
     Same("MOLLWEIDE", Filter::MOLLWEIDE, static_cast<int>(MapProjection::Mollweide)),
     Same("PEIRCE_QUINCUNCIAL", Filter::PEIRCE_QUINCUNCIAL,
-      static_cast<int>(MapProjection::PeirceQuincuncial)) };
+      static_cast<int>(MapProjection::PeirceQuincuncial)),
+    Same("MERCATOR", Filter::MERCATOR, static_cast<int>(MapProjection::Mercator)) };
 }
 }
 

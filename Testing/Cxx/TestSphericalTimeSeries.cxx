@@ -128,10 +128,8 @@ TEST_F(SphericalTimeSeries, ReadsTimeStepsOnceAndShowsAnyTime)
   ASSERT_EQ(this->Filter->GetTable()->GetNumberOfRows(), 4);
   EXPECT_EQ(this->Entry(0, "State").ToString(), "reference");
   EXPECT_EQ(this->Entry(3, "State").ToString(), "registered");
-  EXPECT_NEAR(
-    this->Entry(3, "Area").ToDouble() / this->Entry(0, "Area").ToDouble(), std::exp(1.2), 1e-9);
-  EXPECT_NEAR(
-    this->Entry(3, "Volume").ToDouble() / this->Entry(0, "Volume").ToDouble(), std::exp(1.8), 1e-9);
+  EXPECT_NEAR(this->Entry(3, "RelativeArea").ToDouble(), std::exp(1.2), 1e-6);
+  EXPECT_NEAR(this->Entry(3, "RelativeVolume").ToDouble(), std::exp(1.8), 1e-6);
 }
 
 TEST_F(SphericalTimeSeries, SkipsSurfacesThatCannotBeUsed)

@@ -2,9 +2,11 @@
 #include "../Cases/Case.h"
 #include "PLY/PLYParser.h"
 #include "StanfordScans/AlignedScans.h"
+#include "TIFF/TIFFStackParser.h"
 #include "TextCloud/TextCloudParser.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkStanfordScansReader.h"
+#include "vtkTIFFStackReader.h"
 #include "vtkTextCloudReader.h"
 
 #include "vtkNew.h"
@@ -39,6 +41,13 @@ TEST(OptionsMirrorProperties, StanfordScansReader)
   EXPECT_EQ(reader->GetInvertRotation(), options.InvertRotation);
   EXPECT_EQ(reader->GetAllowExternalFiles(), options.AllowExternalFiles);
   EXPECT_EQ(reader->GetRequireAllScans(), options.RequireAllScans);
+}
+
+TEST(OptionsMirrorProperties, TIFFStackReader)
+{
+  const conformal::TIFFStackOptions options;
+  vtkNew<vtkTIFFStackReader> reader;
+  EXPECT_EQ(reader->GetYAxis() == vtkTIFFStackReader::UP, options.FirstRowUp);
 }
 
 TEST(OptionsMirrorProperties, TextCloudReader)

@@ -41,11 +41,11 @@ function (is_concrete class header result)
 endfunction ()
 
 # A class that makes objects for a pipeline has a case, by which all tests of all classes try it. Readers and
-# writers of tables have no surface to try.
+# writers of tables and images have no surface to try.
 function (require_case class header)
   file(READ "${SOURCE_DIR}/${header}" text)
   if (NOT text MATCHES "static ${class}\\* New\\(\\)" OR text MATCHES "${class} : public vtkObject\n"
-      OR (class MATCHES "Reader$|Writer$" AND text MATCHES "put port 0: vtkTable"))
+      OR (class MATCHES "Reader$|Writer$" AND text MATCHES "put port 0: vtk(Table|ImageData)"))
     return ()
   endif ()
   require_file(${class} "Testing/Cases/${class}.cxx")

@@ -17,7 +17,7 @@ import time
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -213,6 +213,25 @@ def painted(split=False):
 @functools.lru_cache(maxsize=None)
 def picture():
     return numbered_grid(48, 4)
+
+
+def ball_volume(size=20):
+    """A volume of a ball of 0.8 of its width, in [-1.2, 1.2]^3."""
+    image, steps = vtkImageData(), np.linspace(-1.2, 1.2, size)
+    image.SetDimensions(size, size, size)
+    image.SetOrigin(-1.2, -1.2, -1.2)
+    image.SetSpacing(*[2.4 / (size - 1)] * 3)
+    radius = np.sqrt(steps[:, None, None]**2 + steps[None, :, None]**2 + steps**2)
+    image.GetPointData().SetScalars(add(image.GetPointData(), "Brightness", 100.0 / (1.0 + np.exp(9.0 * (radius - 0.96)).ravel())))
+    return image
+
+
+def label_map(width=48):
+    """A map of columns of labels, each six pixels wide."""
+    image = vtkImageData()
+    image.SetDimensions(width, width // 2, 1)
+    image.GetPointData().SetScalars(add(image.GetPointData(), "Cells", (np.arange(width * width // 2) % width // 6).astype(np.int32)))
+    return image
 
 
 def coefficients():
@@ -508,6 +527,11 @@ CASES = {
     "vtkBodyMapImage": Filter(
         inputs(mapped, ArrayName="Height"), inputs(mapped, ArrayName="Height", ImageSize=(64, 32)),
         others={"label": properties_of(ArrayName="Label", CentralLongitude=70.0, GraticuleSpacing=0.0)}),
+    "vtkMapLabels": Filter(inputs(mapped, label_map), inputs(mapped, label_map)),
+    "vtkSurfaceLayers": Filter(
+        inputs(mapped, ball_volume), inputs(mapped, ball_volume, ImageSize=(64, 32), DepthRange=(-0.2, 0.1))),
+    "vtkVolumeSurfacePoints": Filter(
+        inputs(ball_volume), inputs(ball_volume), needs={"LevelMethod=Fixed": properties_of(Level=40.0)}),
     "vtkConformalDistortion": Filter(inputs(lambda: chain()["vtkConformalSOM"]), inputs(mapped)),
     "vtkConformalSOM": Filter(
         inputs(lambda: bear(BEAR)),
@@ -603,6 +627,7 @@ CASES = {
     # Writers.
     "vtkConformalOFFWriter": Writer("surface.off", inputs(painted)),
     "vtkConformalPLYWriter": Writer("surface.ply", inputs(painted)),
+    "vtkTIFFStackWriter": Writer("stack.tif", inputs(ball_volume)),
     "vtkFreeSurferWriter": Writer("lh.white", inputs(painted, ArrayName="Height")),
     "vtkGIFTIWriter": Writer("surface.gii", inputs(painted), others={
         "AnatomicalStructure": properties_of(AnatomicalStructure="CortexLeft")}),
@@ -645,6 +670,7 @@ CASES = {
     "vtkSPHARMSurfaceReader": Reader({"default": written_by("vtkSPHARMSurfaceWriter", "a_surf.vtk")}),
     "vtkStanfordScansReader": Reader({"default": SCANS, "missing scan": {
         "scans.conf": SCANS["scans.conf"] + "bmesh missing.ply 0 0 0 0 0 0 1\n", "scan.ply": SCAN, "other.ply": SCAN}}),
+    "vtkTIFFStackReader": Reader({"default": written_by("vtkTIFFStackWriter", "stack.tif", ball_volume)}),
     "vtkTextCloudReader": Reader(
         {"default": {"cloud.xyz": TEXT_FILES[0]}, "normals": {"cloud.xyz": TEXT_FILES[1]},
          "colors": {"cloud.xyz": TEXT_FILES[2]},

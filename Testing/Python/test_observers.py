@@ -334,6 +334,9 @@ class TestObservers(unittest.TestCase):
             write("SPHARMCoefficient", "read.coef", table)
             expect_reader_kept("SPHARMCoefficient", "read.coef")
             expect_writer_kept("SPHARMCoefficient", "written.coef", table)
+            write("TIFFStack", "read.tif", picture())
+            expect_reader_kept("TIFFStack", "read.tif")
+            expect_writer_kept("TIFFStack", "written.tif", picture())
         for name in dir(conformalsom):
             if name.startswith("vtk") and name.endswith(("Reader", "Writer")):
                 cls = getattr(conformalsom, name)

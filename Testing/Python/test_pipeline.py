@@ -186,7 +186,21 @@ def beside_the_chain(stages):
     repair = vtkGenusZeroRepair()
     repair.SetInputData(torus())
     repair.Update()
-    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart)
+    outside = conformalsom.vtkVolumeSurfacePoints()
+    outside.SetInputData(output_cases.ball_volume())
+    outside.Update()
+    layers = conformalsom.vtkSurfaceLayers()
+    layers.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    layers.SetVolumeData(output_cases.ball_volume())
+    layers.SetNumberOfLayers(1)
+    layers.SetImageSize(40, 20)
+    layers.Update()
+    labels = conformalsom.vtkMapLabels()
+    labels.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    labels.SetLabelsData(output_cases.label_map())
+    labels.Update()
+    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart, outside,
+               layers, labels)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 
@@ -236,6 +250,12 @@ class ReadFiles:
             assert writer.Write() == 1
             self.update("vtkSPHARMSurfaceReader", writer.GetFileName())
             self.read("vtkSPHARMCoefficientReader", "{ 1,{1.5, 2, 3}}")
+            writer = conformalsom.vtkTIFFStackWriter()
+            writer.SetInputData(output_cases.ball_volume())
+            writer.SetUnit("micron")
+            writer.SetFileName(os.path.join(self.folder, "stack.tif"))
+            assert writer.Write() == 1
+            self.update("vtkTIFFStackReader", writer.GetFileName())
             for name in set(output_cases.DERIVED_READERS) - set(self.outputs):
                 for files in output_cases.CASES[name].files.values():
                     paths = [self.put(file, bytes_) for file, bytes_ in files.items()]

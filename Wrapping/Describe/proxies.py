@@ -43,7 +43,8 @@ GROUPS = {  # submenus of filters
     "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend", "SurfaceNormalMap"),
     "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
                        "ConsistentRemesh"),
-    "Shape": ("BodyMap", "BodyMapImage", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceShape"),
+    "Shape": ("BodyMap", "BodyMapImage", "MapLabels", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceLayers",
+              "SurfaceShape", "VolumeSurfacePoints"),
 }
 DATA_TYPES = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",
               "vtkTable": "a table"}
@@ -374,13 +375,18 @@ class Proxy:
                                      "leave it out here")
         return number(limit) if limit is not None else given
 
+    def is_gathered(self):
+        """Return whether the class writes surfaces, whose pieces of all processes are gathered before."""
+        return self.class_.is_writer and any(
+            port.index == 0 and port.types == ["vtkPolyData"] for port in self.class_.inputs)
+
     def array_list(self, element, property_):
         """Add the list of arrays that a property is chosen from; empty stands for none where that is the default."""
         port = self.overlay.get(property_.name, "arrays", "Input").split()[0]
         domain = add(element, "ArrayListDomain", name="array_list", attribute_type="Scalars",
                      input_domain_name="values", none_string=None if property_.default else "")
         required = add(domain, "RequiredProperties")
-        add(required, "Property", name="ArrayInput" if self.class_.is_writer else port, function="Input")
+        add(required, "Property", name="ArrayInput" if self.is_gathered() else port, function="Input")
 
     def repeated(self, property_):
         """Make the element of a property that is a list."""
@@ -463,7 +469,7 @@ class Proxy:
         """Make the proxy of a writer, in its group; of surfaces the pieces of all processes are gathered before."""
         group = ElementTree.Element("ProxyGroup", name="writers")
         [port] = [port for port in self.class_.inputs if port.index == 0]
-        gathered = port.types == ["vtkPolyData"]
+        gathered = self.is_gathered()
         inner = []
         if gathered:
             core, exposed = self.core(port)
@@ -478,10 +484,11 @@ class Proxy:
             self.sub_proxy(proxy, exposed)
         element = self.input(port)
         element.set("panel_visibility", "never")
-        for domain in element.findall("InputArrayDomain"):
+        for domain in element.findall("InputArrayDomain") if gathered else []:
             element.remove(domain)
         proxy.append(element)
         proxy.append(file_name(writes=not gathered))
+        proxy.extend([] if gathered else self.members())
         if gathered:
             helper = add(proxy, "SubProxy")
             add(helper, "Proxy", name="PostGatherHelper", proxygroup="filters", proxyname="AppendPolyData")

@@ -156,6 +156,8 @@ Vector2 halfSizeOfMap(MapProjection projection)
       return { 180.0, 90.0 };
     case MapProjection::PeirceQuincuncial:
       return { 2.0 * HalfLemniscate, 2.0 * HalfLemniscate };
+    case MapProjection::Mercator:
+      return { Pi, Pi };
     default:
       return { 2.0 * Sqrt2, Sqrt2 };
   }
@@ -173,6 +175,9 @@ Vector2 sphereToMap(const Vector3& direction, MapProjection projection, double c
       return toMollweide(n);
     case MapProjection::PeirceQuincuncial:
       return toPeirce(n);
+    case MapProjection::Mercator:
+      return { std::atan2(n[1], n[0]),
+        std::clamp(std::asinh(n[2] / std::hypot(n[0], n[1])), -Pi, Pi) };
     default:
       return Vector2(std::atan2(n[1], n[0]), std::atan2(n[2], std::hypot(n[0], n[1]))) / Degree;
   }
@@ -194,6 +199,11 @@ bool mapToSphere(
       break;
     case MapProjection::PeirceQuincuncial:
       isOnMap = fromPeirce(place, n);
+      break;
+    case MapProjection::Mercator:
+      isOnMap = place.cwiseAbs().maxCoeff() <= Pi;
+      n =
+        Vector3(std::cos(place[0]), std::sin(place[0]), std::sinh(place[1])) / std::cosh(place[1]);
       break;
     default:
     {

@@ -145,6 +145,33 @@ TEST(MapProjection, KeepsAreasOrAngles)
   EXPECT_NEAR(east.norm(), 1.0, 1e-6); // true to scale at the pole
 }
 
+// Mercator's map keeps angles up to its edge, where the latitude is atan(sinh(pi)).
+TEST(MapProjection, MercatorKeepsAngles)
+{
+  const Points all = spheres::random(2000);
+  const double edge = std::tanh(Pi);
+  for (Index i = 0; i < all.rows(); ++i)
+  {
+    const Vector3 n = all.row(i);
+    const Vector2 place = sphereToMap(n, MapProjection::Mercator, 33.0);
+    EXPECT_LE(place.cwiseAbs().maxCoeff(), Pi);
+    if (std::abs(n[2]) > edge - 1e-4 || std::abs(std::atan2(n[1], n[0])) > Pi - 1e-4)
+    {
+      continue;
+    }
+    Vector3 back;
+    ASSERT_TRUE(mapToSphere(place, MapProjection::Mercator, 33.0, back));
+    EXPECT_LT((back - n).norm(), 1e-13);
+    Vector2 east, north;
+    derivatives(n, MapProjection::Mercator, east, north);
+    const double scale = 1.0 / (1.0 - n[2] * n[2]); // the secant of the latitude, squared
+    EXPECT_NEAR(east.squaredNorm() / scale, 1.0, 1e-5);
+    EXPECT_NEAR(north.squaredNorm() / scale, 1.0, 1e-5);
+    EXPECT_GT(east[0] * north[1] - east[1] * north[0], 0.0);
+  }
+  EXPECT_EQ(sphereToMap(Vector3(0, 0, 1), MapProjection::Mercator, 0.0)[1], Pi);
+}
+
 TEST(MapProjection, HasNothingBeyondItsOutline)
 {
   Vector3 n(7, 7, 7);
@@ -153,5 +180,6 @@ TEST(MapProjection, HasNothingBeyondItsOutline)
   EXPECT_FALSE(mapToSphere({ 2.5, 1.2 }, All[2], 0.0, n));
   EXPECT_FALSE(mapToSphere({ 0.0, 1.5 }, All[2], 0.0, n));
   EXPECT_FALSE(mapToSphere({ 2.7, 0.0 }, All[3], 0.0, n));
+  EXPECT_FALSE(mapToSphere({ 0.0, 3.2 }, MapProjection::Mercator, 0.0, n));
   EXPECT_EQ(n[0], 7.0);
 }

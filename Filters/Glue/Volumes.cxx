@@ -1,0 +1,66 @@
+#include "Glue/Volumes.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace glue
+{
+namespace
+{
+vtkDataArray* VoxelsOf(vtkImageData* image, const std::string& name, int component)
+{
+  vtkDataArray* array = name.empty() ? image->GetPointData()->GetScalars()
+                                     : image->GetPointData()->GetArray(name.c_str());
+  if (!array)
+  {
+    throw std::invalid_argument(name.empty()
+        ? "the image has no active point scalars; set ArrayName. Convert cell data to point data"
+        : "the image has no point array " + name);
+  }
+  if (component < 0 || component >= array->GetNumberOfComponents())
+  {
+    throw std::invalid_argument("the image has no component " + std::to_string(component) +
+      "; its components (channels) are 0 to " + std::to_string(array->GetNumberOfComponents() - 1));
+  }
+  return array;
+}
+}
+
+//------------------------------------------------------------------------------
+conformal::VolumeImage ToVolume(vtkImageData* image, const std::string& name, int component,
+  const conformal::CoordinateFrame& frame)
+{
+  vtkDataArray* array = VoxelsOf(image, name, component);
+  conformal::VolumeImage volume;
+  const int* extent = image->GetExtent();
+  vtkMatrix4x4* matrix = image->GetIndexToPhysicalMatrix();
+  const double first[4] = { double(extent[0]), double(extent[2]), double(extent[4]), 1.0 };
+  double origin[4];
+  matrix->MultiplyPoint(first, origin);
+  for (int a = 0; a < 3; ++a)
+  {
+    volume.Size[a] = image->GetDimensions()[a];
+    volume.Origin[a] = origin[a] / frame.Unit;
+    for (int b = 0; b < 3; ++b)
+    {
+      volume.Axes(a, b) = matrix->GetElement(a, b) / frame.Unit;
+    }
+  }
+  volume.Values.resize(static_cast<std::size_t>(volume.size()));
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(volume.Values.size()); ++i)
+  {
+    volume.Values[i] = static_cast<float>(array->GetComponent(i, component));
+    if (!std::isfinite(volume.Values[i]))
+    {
+      throw std::invalid_argument("the value of voxel " + std::to_string(i) +
+        " is not finite, or exceeds the range of floats; replace it");
+    }
+  }
+  return volume;
+}
+}

@@ -1,0 +1,25 @@
+/// Convert images of VTK with three dimensions to images of the core.
+#ifndef GlueVolumes_h
+#define GlueVolumes_h
+
+#include "Base/CoordinateFrame.h" // for positions in a frame
+#include "Volume/VolumeImage.h"   // for the result
+
+#include <string> // for the name of an array
+
+class vtkImageData;
+
+namespace glue
+{
+/// Copy one component of a point array of an image. Spacing, origin and direction of the image are
+/// kept.
+/// @param[in] name       name of the point array; empty for the active scalars
+/// @param[in] component  number of the component (channel), from 0
+/// @param[in] frame      frame to which positions are converted
+/// @throws std::invalid_argument if the array or the component does not exist, or if a value is not
+///   finite or exceeds the range of floats
+conformal::VolumeImage ToVolume(vtkImageData* image, const std::string& name, int component,
+  const conformal::CoordinateFrame& frame = {});
+}
+
+#endif

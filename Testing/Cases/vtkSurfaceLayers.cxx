@@ -1,0 +1,66 @@
+#include "vtkSurfaceLayers.h"
+
+#include "Body/MapImage.h"
+#include "Properties.h"
+#include "Surfaces.h"
+
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+namespace cases
+{
+namespace
+{
+// Defaults and constants of the class and of the core.
+std::vector<Mirror> Mirrors()
+{
+  using F = vtkSurfaceLayers;
+  using conformal::MapProjection;
+  vtkNew<F> filter;
+  const auto same = [](const char* name, int ours, MapProjection core)
+  { return Same(name, ours, static_cast<int>(core)); };
+  return { same("Projection", filter->GetProjection(), conformal::MapImage().Projection),
+    same("EQUIRECTANGULAR", F::EQUIRECTANGULAR, MapProjection::Equirectangular),
+    same("LAMBERT_AZIMUTHAL", F::LAMBERT_AZIMUTHAL, MapProjection::LambertAzimuthal),
+    same("MOLLWEIDE", F::MOLLWEIDE, MapProjection::Mollweide),
+    same("PEIRCE_QUINCUNCIAL", F::PEIRCE_QUINCUNCIAL, MapProjection::PeirceQuincuncial),
+    same("MERCATOR", F::MERCATOR, MapProjection::Mercator) };
+}
+}
+
+Case SurfaceLayers()
+{
+  using F = vtkSurfaceLayers;
+  Case all = CaseOf<F>("vtkSurfaceLayers");
+  Mode layers = { "", { Surface(BadPoints | BadIds | BadMap), Picture("vtkSurfaceLayers volume") },
+    Set<F>(
+      [](F* f)
+      {
+        f->SetImageSize(24, 12);
+        f->SetNumberOfLayers(5);
+        f->SetDepthRange(-0.1, 0.1);
+      }),
+    true };
+  layers.Properties = { Name("ArrayName", &F::SetArrayName), Integer("Component", &F::SetComponent),
+    Vector2<F, double>("DepthRange", &F::SetDepthRange),
+    Integer("NumberOfLayers", &F::SetNumberOfLayers),
+    Vector2<F, double>("SummaryRange", &F::SetSummaryRange), Integer("Axis", &F::SetAxis),
+    Integer("Projection", &F::SetProjection), Number("CentralLongitude", &F::SetCentralLongitude),
+    Vector2<F, int>("ImageSize", &F::SetImageSize) };
+  all.Modes = { layers };
+  all.Scaled = { Scaled<F>(
+    "SamplesLayers",
+    [](F* f, double scale)
+    {
+      f->SetInputData(BumpyMesh(scale));
+      f->SetVolumeData(BallVolume(16, 0.8 * scale));
+      f->SetImageSize(24, 12);
+    },
+    { { "DepthOfMaximum", 1 }, { "InwardLimit", 1 }, { "OutwardLimit", 1 }, { "LayerDepths", 1 } },
+    1e-5) };
+  all.Progress = { Run<F>(
+    "ball", []() { return BumpyMesh(1.0, 60); }, [](F* f) { f->SetVolumeData(BallVolume(30)); }) };
+  all.Mirrors = Mirrors;
+  return all;
+}
+}

@@ -1,0 +1,158 @@
+#include "TIFF/TIFFStackParser.h"
+
+#include "../Bytes/Mutations.h"
+#include "TIFFSamples.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using conformal::ParseCode;
+using conformal::TIFFStackOptions;
+using conformal::TIFFStackResult;
+using samples::TIFFOptions;
+
+namespace
+{
+TIFFStackResult parsed(
+  const std::string& bytes, const TIFFStackOptions& options = {}, const conformal::Run& run = {})
+{
+  return conformal::parseTIFFStack(
+    [&](conformal::ByteReader& input)
+    {
+      input = conformal::ByteReader(bytes);
+      return conformal::ParseStatus();
+    },
+    options, {}, run);
+}
+
+std::vector<std::uint16_t> valuesOf(const TIFFStackResult& result)
+{
+  std::vector<std::uint16_t> values(result.Stack.Values.size() / 2);
+  std::memcpy(values.data(), result.Stack.Values.data(), result.Stack.Values.size());
+  return values;
+}
+
+void expectRefused(const std::string& bytes, ParseCode code, const std::string& part)
+{
+  const TIFFStackResult result = parsed(bytes);
+  EXPECT_EQ(result.Status.Code, code) << result.Status.text();
+  EXPECT_NE(result.Status.text().find(part), std::string::npos) << result.Status.text();
+  EXPECT_EQ(result.Stack.Values.size(), 0u);
+}
+}
+
+TEST(TIFFStackParser, PagesOfAllKindsAreSlices)
+{
+  TIFFOptions kinds[5];
+  kinds[1].IsBig = true;
+  kinds[2].IsLong = true;
+  kinds[3].IsDeflated = true;
+  kinds[4] = { true, true, true };
+  for (const TIFFOptions& kind : kinds)
+  {
+    const TIFFStackResult result = parsed(samples::TIFF(2, kind));
+    ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+    EXPECT_EQ(result.Stack.Info.Slices, 2u);
+    EXPECT_EQ(result.Stack.Info.Type, conformal::ScalarType::UInt16);
+    EXPECT_EQ(result.Stack.Info.Spacing[0], 1.0); // without a unit, the resolution is of printing
+    EXPECT_EQ(valuesOf(result),
+      std::vector<std::uint16_t>({ 0, 1, 2, 10, 11, 12, 100, 101, 102, 110, 111, 112 }));
+  }
+}
+
+TEST(TIFFStackParser, DescriptionOfImageJHasChannelsFramesAndUnits)
+{
+  TIFFOptions options;
+  options.Description = "ImageJ=1.54f\nimages=8\nchannels=2\nslices=2\nframes=2\nunit="
+                        "\\u00B5m\nspacing=-3.5\nfinterval=2";
+  TIFFStackOptions second;
+  second.Frame = 1;
+  second.FirstRowUp = true;
+  const TIFFStackResult result = parsed(samples::TIFF(8, options), second);
+  ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+  const conformal::TIFFStackInfo& info = result.Stack.Info;
+  EXPECT_EQ(info.Channels, 2u);
+  EXPECT_EQ(info.Slices, 2u);
+  EXPECT_EQ(info.Frames, 2u);
+  EXPECT_EQ(info.Unit, "micron");
+  EXPECT_EQ(info.Spacing, (std::array<double, 3>{ 0.5, 0.5, 3.5 }));
+  EXPECT_EQ(info.FrameInterval, 2.0);
+  // Pages 4 to 7: two channels of the first slice, two of the second. The last row is first.
+  const std::vector<std::uint16_t> values = valuesOf(result);
+  ASSERT_EQ(values.size(), 24u);
+  EXPECT_EQ(std::vector<std::uint16_t>(values.begin(), values.begin() + 4),
+    std::vector<std::uint16_t>({ 410, 510, 411, 511 }));
+  EXPECT_EQ(values[12], 610);
+  EXPECT_EQ(values[23], 702);
+}
+
+// ImageJ writes stacks of more than 4 GB with one directory. Its other pages follow the first.
+TEST(TIFFStackParser, PagesWithoutADirectoryFollowTheFirst)
+{
+  TIFFOptions options;
+  options.Description = "ImageJ=1.54f\nimages=30\nslices=30\n";
+  const TIFFStackResult cut = parsed(samples::TIFF(1, options));
+  EXPECT_EQ(cut.Status.Code, ParseCode::PrematureEnd) << cut.Status.text();
+  options.Description = "ImageJ=1.54f\nimages=3\nslices=3\n";
+  const TIFFStackResult result = parsed(samples::TIFF(1, options));
+  ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+  EXPECT_EQ(result.Stack.Info.Slices, 3u);
+  EXPECT_EQ(valuesOf(result).size(), 18u);
+}
+
+TEST(TIFFStackParser, UnreadableFilesAreRefusedWithTheReason)
+{
+  const std::string good = samples::TIFF(2);
+  expectRefused("", ParseCode::PrematureEnd, "empty");
+  expectRefused("II*", ParseCode::UnrecognizedType, "no TIFF");
+  expectRefused("ply\nformat", ParseCode::UnrecognizedType, "no TIFF");
+  expectRefused(good.substr(0, good.size() - 60), ParseCode::PrematureEnd, "expected 12 tags");
+  const auto with = [](int tag, std::uint32_t value)
+  {
+    TIFFOptions options;
+    options.Others = { { tag, value } };
+    return samples::TIFF(1, options);
+  };
+  expectRefused(with(259, 5), ParseCode::Malformed, "compression 5");
+  expectRefused(with(322, 16), ParseCode::Malformed, "tiles");
+  expectRefused(with(274, 6), ParseCode::Malformed, "turned");
+  expectRefused(with(258, 12), ParseCode::Malformed, "12 bits");
+  TIFFOptions high;
+  high.Height = 2000000;
+  expectRefused(samples::TIFF(1, high), ParseCode::PrematureEnd, "");
+  high.IsDeflated = true;
+  expectRefused(samples::TIFF(1, high), ParseCode::PrematureEnd, "too small");
+  TIFFOptions wrong;
+  wrong.Description = "ImageJ=1\nimages=4\nchannels=3\n";
+  expectRefused(samples::TIFF(4, wrong), ParseCode::Malformed, "3 channels");
+  std::string loop = samples::TIFF(1);
+  loop.replace(loop.size() - 4, 4, loop.substr(4, 4));
+  expectRefused(loop, ParseCode::Malformed, "loop");
+}
+
+TEST(TIFFStackParser, ChangedFilesAreReadOrRefused)
+{
+  const std::vector<std::string> files = samples::TIFFFiles();
+  int read = 0;
+  for (std::uint32_t seed = 0; seed < 4000; ++seed)
+  {
+    const TIFFStackResult result = parsed(samples::Mutated(files[seed % files.size()], seed));
+    const conformal::TIFFStackInfo& info = result.Stack.Info;
+    ASSERT_EQ(result.Stack.Values.size(),
+      result.Status.ok()
+        ? info.pixelsPerPage() * info.Channels * info.Slices * conformal::sizeOf(info.Type)
+        : 0);
+    read += result.Status.ok();
+  }
+  EXPECT_GT(read, 100);
+  EXPECT_LT(read, 3900);
+}
+
+TEST(TIFFStackParser, StopsWhenAsked)
+{
+  const TIFFStackResult result =
+    parsed(samples::TIFF(4), {}, { {}, [](double done) { return done < 0.5; } });
+  EXPECT_EQ(result.Status.Code, ParseCode::Aborted);
+  EXPECT_EQ(result.Stack.Values.size(), 0u);
+}
