@@ -593,6 +593,8 @@ CASES = {
         inputs(functools.partial(mapped, 3, 0.1, 0.2), mapped), others={"mask": properties_of(MaskArrayName="Seen")}),
     "vtkSphericalTemplate": Filter(
         inputs(TWO), inputs(TWO, Frequency=8, MeanFrequency=8, MaximumNumberOfRounds=1)),
+    "vtkSphericalTimeSeries": Filter(
+        inputs(TWO), inputs(TWO, Frequency=8, NumberOfSweeps=0)),
     "vtkSphericalTextureBlend": Filter(
         inputs(painted, picture, picture, BackViewDirection=(0, 0, -1)),
         inputs(painted, picture, picture, BackViewDirection=(0, 0, -1), ImageSize=(48, 40))),

@@ -173,6 +173,12 @@ def beside_the_chain(stages):
     template.SetMeanFrequency(8)
     template.SetMaximumNumberOfRounds(1)
     template.Update()
+    series = conformalsom.vtkSphericalTimeSeries()
+    series.AddInputConnection(stages["vtkSphericalAlignment"].GetOutputPort())
+    series.AddInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    series.SetFrequency(8)
+    series.SetNumberOfSweeps(0)
+    series.Update()
     body = vtkBodyMap()
     body.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     body.SetPlacesData(torus())
@@ -199,7 +205,7 @@ def beside_the_chain(stages):
     labels.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     labels.SetLabelsData(output_cases.label_map())
     labels.Update()
-    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, resample, repair, body, chart, outside,
+    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series, resample, repair, body, chart, outside,
                layers, labels)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
