@@ -205,8 +205,8 @@ def beside_the_chain(stages):
     labels.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     labels.SetLabelsData(output_cases.label_map())
     labels.Update()
-    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series, resample, repair, body, chart, outside,
-               layers, labels)
+    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series,
+               resample, repair, body, chart, outside, layers, labels)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 
