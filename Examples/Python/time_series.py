@@ -19,7 +19,7 @@ from conformalsom import vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphe
 from conformalsom.command import pictures, scan_files
 from conformalsom.command.steps import StepFailed, Steps
 
-COLUMNS = ["Time", "State", "RelativeArea", "RelativeVolume", "MeanDisplacement", "RegistrationStretch",
+COLUMNS = ["Time", "State", "RelativeArea", "RelativeVolume", "RelativeDisplacement", "RegistrationStretch",
            "NumberOfFolds", "MeanAreaRate", "MeanShearRate"]
 PANEL = 360, 360
 

@@ -274,7 +274,7 @@ public:
     rows->AddArray(states);
     glue::AddNumbers(rows, "RelativeArea", areas);
     glue::AddNumbers(rows, "RelativeVolume", volumes);
-    glue::AddNumbers(rows, "MeanDisplacement", moves);
+    glue::AddNumbers(rows, "RelativeDisplacement", moves);
     glue::AddNumbers(rows, "RegistrationStretch", stretches);
     rows->AddArray(folds);
     glue::AddNumbers(rows, "MeanAreaRate", growths);

@@ -35,8 +35,8 @@
  * - "State" (string): "reference", "registered" or "skipped".
  * - "RelativeArea" and "RelativeVolume" (double): area and volume of the surface, divided by those
  *   of the surface of ReferenceStep.
- * - "MeanDisplacement" (double): mean distance to the same position on the sphere at the previous
- *   time step, in units of the square root of the area; 0 for the first.
+ * - "RelativeDisplacement" (double): mean distance to the same position on the sphere at the
+ * previous time step, in units of the square root of the area; 0 for the first.
  * - "RegistrationStretch" (double), "NumberOfFolds" (idtype), "MeanAreaRate" and "MeanShearRate"
  *   (double): quality and motion as on port 0. Means are weighted by area.
  * Numbers of skipped time steps are 0.

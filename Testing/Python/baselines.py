@@ -106,12 +106,13 @@ def expect_picture(test, drawn, name):
         write_png(drawn, os.path.join(LEFT_OVERS, name + ".png"))
         test.fail(f"there is no baseline {path}")
     error, difference = pixel_difference(drawn, read_png(path))
-    if error <= PIXELS:
+    alternatives = sorted(glob.glob(os.path.join(FOLDER, name + "_[0-9].png")))
+    # The last digits of balanced maps differ among processors, since those of sine and logarithm do.
+    if error <= PIXELS or any(pixel_difference(drawn, read_png(other))[0] <= PIXELS for other in alternatives):
         return
     write_png(drawn, os.path.join(LEFT_OVERS, name + ".png"))
     write_png(difference, os.path.join(LEFT_OVERS, name + ".diff.png"))
     if renderer() in renderers():
         test.fail(f"{error} is more than {PIXELS} pixels: see {LEFT_OVERS}/{name}.diff.png")
-    alternatives = [path] + sorted(glob.glob(os.path.join(FOLDER, name + "_[0-9].png")))
-    least = min(square_difference(pixels(drawn), pixels(read_png(alternative))) for alternative in alternatives)
+    least = min(square_difference(pixels(drawn), pixels(read_png(other))) for other in [path] + alternatives)
     test.assertLessEqual(least, SQUARE_LEVELS, f"see {LEFT_OVERS}/{name}.diff.png")

@@ -42,7 +42,7 @@ GROUPS = {  # submenus of filters
     "Sphere Map": ("GlobalConformalMap", "ConformalDistortion", "SphericalAlignment"),
     "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend", "SurfaceNormalMap"),
     "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
-                       "ConsistentRemesh"),
+                       "SphericalTimeSeries", "ConsistentRemesh"),
     "Shape": ("BodyMap", "BodyMapImage", "MapLabels", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceLayers",
               "SurfaceShape", "VolumeSurfacePoints"),
 }
