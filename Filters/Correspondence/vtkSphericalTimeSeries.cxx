@@ -37,10 +37,9 @@
 
 vtkStandardNewMacro(vtkSphericalTimeSeries);
 
-namespace
+// Not in an anonymous namespace: vtkSphericalTimeSeries::Series has members of these types.
+namespace timeSeries
 {
-using Executive = vtkStreamingDemandDrivenPipeline;
-
 // Surface of a time step of the input.
 struct SeriesStep
 {
@@ -64,6 +63,14 @@ struct TimePlace
   std::size_t First = 0, Second = 0; // equal for the time of a time step
   double Fraction = 0.0;
 };
+}
+
+namespace
+{
+using Executive = vtkStreamingDemandDrivenPipeline;
+using timeSeries::SeriesStep;
+using timeSeries::TimePlace;
+using timeSeries::UsedStep;
 
 std::vector<double> TimesOfInput(vtkInformationVector* inputs)
 {
