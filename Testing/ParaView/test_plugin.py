@@ -209,12 +209,18 @@ class TestPlugin(unittest.TestCase):
                 self.assertEqual(back.GetDataInformation().GetNumberOfPoints(),
                                  self.surface.GetDataInformation().GetNumberOfPoints())
 
+    def written_by(self, hint):
+        """A table or an image, if the files of a writer have these; otherwise None."""
+        if extension_of_tables(hint):
+            return self.harmonics
+        return servermanager.OutputPort(self.picture) if "tif" in hint.get("extensions").split() else None
+
     def test_writers_are_found_by_their_extensions(self):
         """ParaView takes the first writer that knows an extension: it must be ours."""
         self.painted.UpdatePipeline()
         factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
         for name, hint in hints("WriterFactory"):
-            source = self.harmonics if extension_of_tables(hint) else servermanager.OutputPort(self.painted)
+            source = self.written_by(hint) or servermanager.OutputPort(self.painted)
             for extension in hint.get("extensions").split():
                 with self.subTest(extension):
                     writer = factory.CreateWriter(self.path("x." + extension),
@@ -233,7 +239,7 @@ class TestPlugin(unittest.TestCase):
             for extension in hint.get("extensions").split():
                 with self.subTest(extension):
                     path = self.path("offered." + extension)
-                    writer(Input=self.harmonics if extension_of_tables(hint) else self.surface,
+                    writer(Input=self.written_by(hint) or self.surface,
                            FileName=path).UpdatePipeline()
                     offered = factory.GetReaders(path, session)
                     self.assertIn(name, [offered.GetString(i)
