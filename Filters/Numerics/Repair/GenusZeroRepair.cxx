@@ -182,13 +182,13 @@ void openHandles(GluedSurface& surface, double area, std::vector<RepairLoop>& do
 }
 
 // Glue the triangles, after parts that overlap were joined. The ids of triangles are those of
-// `united` if parts were joined.
-GluedSurface glueUnion(const PointView& points, const Triangles& triangles,
-  const UnionOfParts& united, GluingReport& report, const Run& run)
+// `united`.
+GluedSurface glueUnion(
+  const PointView& points, const UnionOfParts& united, GluingReport& report, const Run& run)
 {
-  if (united.NumberOfPartsJoined == 0)
+  if (united.AddedPoints.rows() == 0)
   {
-    return glueTriangles(points, triangles, report, run);
+    return glueTriangles(points, united.Triangles, report, run);
   }
   Points all(points.size() + united.AddedPoints.rows(), 3);
   for (Index i = 0; i < points.size(); ++i)
@@ -213,9 +213,7 @@ GluedSurface glueUnion(const PointView& points, const Triangles& triangles,
 // Assemble the result: original vertices and triangles first, then pieces and added ones.
 void collect(const GluedSurface& surface, const UnionOfParts& united, GenusZeroRepairResult& result)
 {
-  const bool isUnion = united.NumberOfPartsJoined > 0;
-  const auto isWhole = [&](int id)
-  { return id >= 0 && (!isUnion || id < united.NumberOfWholeTriangles); };
+  const auto isWhole = [&](int id) { return id >= 0 && id < united.NumberOfWholeTriangles; };
   std::vector<int> triangles, vertices(surface.PointIds.size()), places(surface.PointIds.size());
   for (int r = 0; r < surface.numberOfTriangles(); ++r)
   {
@@ -244,7 +242,7 @@ void collect(const GluedSurface& surface, const UnionOfParts& united, GenusZeroR
       result.Triangles(static_cast<Index>(i), k) = places[surface.from(3 * triangles[i] + k)];
     }
     const int id = surface.TriangleIds[triangles[i]];
-    result.TriangleIds.push_back(isUnion && id >= 0 ? united.TriangleIds[id] : id);
+    result.TriangleIds.push_back(id >= 0 ? united.TriangleIds[id] : id);
   }
   const std::vector<int> kept =
     dropIsolatedPoints(result.Triangles, static_cast<Index>(vertices.size()));
@@ -290,7 +288,7 @@ GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& 
   result.NumberOfPointsMerged = mergeCoincidentBoundaryPoints(merged, points, report);
   const UnionOfParts united = uniteParts(points, merged, steps.next());
   result.NumberOfPartsJoined = united.NumberOfPartsJoined;
-  GluedSurface surface = glueUnion(points, merged, united, result.Gluing, steps.next());
+  GluedSurface surface = glueUnion(points, united, result.Gluing, steps.next());
   if (surface.TriangleIds.empty())
   {
     throw std::invalid_argument("every triangle of the surface has a repeated point");

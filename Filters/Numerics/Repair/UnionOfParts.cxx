@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -32,6 +34,27 @@ struct Piece
   int Part;     // name of the part
   bool IsWhole; // whether it is the input's triangle
 };
+
+Points pointsOf(const std::vector<Vector3>& positions)
+{
+  Points points(static_cast<Index>(positions.size()), 3);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    points.row(static_cast<Index>(i)) = positions[i];
+  }
+  return points;
+}
+
+Triangles trianglesOf(const std::vector<Piece>& pieces)
+{
+  Triangles triangles(static_cast<Index>(pieces.size()), 3);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    triangles.row(static_cast<Index>(i)) =
+      Eigen::Map<const Eigen::RowVector3i>(pieces[i].Corners.data());
+  }
+  return triangles;
+}
 
 // Point where an edge passes through a triangle.
 struct Piercing
@@ -88,19 +111,9 @@ public:
   // Find the segments along which triangles of both parts cross.
   void findSegments(const Run& run)
   {
-    Points points(static_cast<Index>(this->Positions.size()), 3);
-    Triangles triangles(static_cast<Index>(this->Pieces.size()), 3);
-    for (std::size_t i = 0; i < this->Positions.size(); ++i)
-    {
-      points.row(static_cast<Index>(i)) = this->Positions[i];
-    }
-    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
-    {
-      triangles.row(static_cast<Index>(i)) =
-        Eigen::Map<const Eigen::RowVector3i>(this->Pieces[i].Corners.data());
-    }
     std::vector<int> uses;
-    for (const Pair& pair : selfIntersections(points, triangles, run))
+    for (const Pair& pair :
+      selfIntersections(pointsOf(this->Positions), trianglesOf(this->Pieces), run))
     {
       if (this->Pieces[pair[0]].Part != this->Pieces[pair[1]].Part)
       {
@@ -335,19 +348,48 @@ private:
   int First = 0;                           // id of the first added point
 };
 
+// Find the sets of points that triangles connect.
+DisjointSets connectedPoints(const Triangles& triangles, Index numberOfPoints)
+{
+  DisjointSets sets(numberOfPoints);
+  for (Index f = 0; f < triangles.rows(); ++f)
+  {
+    sets.unite(triangles(f, 0), triangles(f, 1));
+    sets.unite(triangles(f, 0), triangles(f, 2));
+  }
+  return sets;
+}
+
+bool isOnePart(const Triangles& triangles, DisjointSets& sets)
+{
+  for (Index f = 1; f < triangles.rows(); ++f)
+  {
+    if (sets.find(triangles(f, 0)) != sets.find(triangles(0, 0)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+UnionOfParts unchanged(const Triangles& triangles)
+{
+  UnionOfParts united;
+  united.Triangles = triangles;
+  united.NumberOfWholeTriangles = triangles.rows();
+  united.TriangleIds.resize(triangles.rows());
+  std::iota(united.TriangleIds.begin(), united.TriangleIds.end(), 0);
+  return united;
+}
+
 // Mesh whose parts are joined pair by pair.
 class PartsOfMesh
 {
 public:
-  PartsOfMesh(const PointView& points, const Triangles& triangles)
+  // @param[in] sets  connected points
+  PartsOfMesh(const PointView& points, const Triangles& triangles, DisjointSets& sets)
     : Size(static_cast<int>(points.size()))
   {
-    DisjointSets sets(points.size());
-    for (Index f = 0; f < triangles.rows(); ++f)
-    {
-      sets.unite(triangles(f, 0), triangles(f, 1));
-      sets.unite(triangles(f, 0), triangles(f, 2));
-    }
     for (int f = 0; f < static_cast<int>(triangles.rows()); ++f)
     {
       this->Pieces.push_back({ { triangles(f, 0), triangles(f, 1), triangles(f, 2) }, f,
@@ -393,10 +435,6 @@ public:
   {
     UnionOfParts united;
     united.NumberOfPartsJoined = this->NumberOfPartsJoined;
-    if (united.NumberOfPartsJoined == 0)
-    {
-      return united;
-    }
     std::vector<Piece> sequence = this->Pieces;
     std::sort(sequence.begin(), sequence.end(),
       [](const Piece& a, const Piece& b)
@@ -407,13 +445,11 @@ public:
       united.AddedPoints.row(i) = this->Positions[this->Size + i];
     }
     united.Parents = this->Parents;
-    united.Triangles.resize(static_cast<Index>(sequence.size()), 3);
-    for (std::size_t i = 0; i < sequence.size(); ++i)
+    united.Triangles = trianglesOf(sequence);
+    for (const Piece& piece : sequence)
     {
-      united.Triangles.row(static_cast<Index>(i)) =
-        Eigen::Map<const Eigen::RowVector3i>(sequence[i].Corners.data());
-      united.TriangleIds.push_back(sequence[i].Source);
-      united.NumberOfWholeTriangles += sequence[i].IsWhole;
+      united.TriangleIds.push_back(piece.Source);
+      united.NumberOfWholeTriangles += piece.IsWhole;
     }
     return united;
   }
@@ -429,10 +465,6 @@ private:
       const Ids& ids = piece.Corners;
       volumes[piece.Part] +=
         this->Positions[ids[0]].dot(this->Positions[ids[1]].cross(this->Positions[ids[2]]));
-    }
-    if (volumes.size() < 2)
-    {
-      return;
     }
     std::vector<Pair> edges; // directed edges of all triangles
     const auto forEachEdge = [&](const auto& visit)
@@ -480,27 +512,13 @@ private:
 
   std::set<Pair> crossingParts(const Run& run) const
   {
-    std::vector<int> parts;
-    Points points(static_cast<Index>(this->Positions.size()), 3);
-    Triangles triangles(static_cast<Index>(this->Pieces.size()), 3);
-    for (std::size_t i = 0; i < this->Positions.size(); ++i)
-    {
-      points.row(static_cast<Index>(i)) = this->Positions[i];
-    }
-    for (const Piece& piece : this->Pieces)
-    {
-      if (this->Solids.count(piece.Part) > 0)
-      {
-        triangles.row(static_cast<Index>(parts.size())) =
-          Eigen::Map<const Eigen::RowVector3i>(piece.Corners.data());
-        parts.push_back(piece.Part);
-      }
-    }
-    triangles.conservativeResize(static_cast<Index>(parts.size()), 3);
+    std::vector<Piece> pieces; // of solids
+    std::copy_if(this->Pieces.begin(), this->Pieces.end(), std::back_inserter(pieces),
+      [&](const Piece& piece) { return this->Solids.count(piece.Part) > 0; });
     std::set<Pair> crossing;
-    for (const Pair& pair : selfIntersections(points, triangles, run))
+    for (const Pair& pair : selfIntersections(pointsOf(this->Positions), trianglesOf(pieces), run))
     {
-      const Pair both = sorted(parts[pair[0]], parts[pair[1]]);
+      const Pair both = sorted(pieces[pair[0]].Part, pieces[pair[1]].Part);
       if (both[0] != both[1] && this->Failed.count(both) == 0)
       {
         crossing.insert(both);
@@ -575,7 +593,12 @@ private:
 //------------------------------------------------------------------------------
 UnionOfParts uniteParts(const PointView& points, const Triangles& triangles, const Run& run)
 {
-  PartsOfMesh parts(points, triangles);
+  DisjointSets sets = connectedPoints(triangles, points.size());
+  if (isOnePart(triangles, sets))
+  {
+    return unchanged(triangles);
+  }
+  PartsOfMesh parts(points, triangles, sets);
   // The number of joins is not known beforehand.
   const Run watched = run.part(0.0, 0.0);
   while (parts.numberOfSolids() > 1 && parts.joinSome(watched))

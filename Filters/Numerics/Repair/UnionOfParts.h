@@ -18,8 +18,8 @@ namespace conformal
 /// Mesh in which parts that overlapped are one part.
 struct UnionOfParts
 {
-  /// Number of parts that became parts of others; 0 if no parts overlap. All other members are then
-  /// empty.
+  /// Number of parts that became parts of others; 0 if no parts overlap. All triangles are then
+  /// unchanged.
   Index NumberOfPartsJoined = 0;
   Points AddedPoints; ///< points where an edge of one part passes through a triangle of another
   /// Ids of the two ends of the edge that contains each added point.
