@@ -19,15 +19,23 @@ namespace
 {
 constexpr int Outside = -1;
 
-// Pixel of a direction, or Outside.
-Index pixelOf(const MapImage& image, const Vector3& n)
+// Position of a direction in pixels.
+Vector2 inPixels(const MapImage& image, const Vector3& n)
 {
   const Vector2 half = halfSizeOfMap(image.Projection);
   const Vector2 place = sphereToMap(n, image.Projection, image.CentralLongitude);
-  const Vector2 st = 0.5 * (place.cwiseQuotient(half) + Vector2::Ones());
+  return 0.5 *
+    (place.cwiseQuotient(half) + Vector2::Ones())
+      .cwiseProduct(Vector2(double(image.Grid.Width), double(image.Grid.Height)));
+}
+
+// Pixel at a position in pixels.
+Index pixelAt(const MapImage& image, const Vector2& pixels)
+{
   const auto along = [](double x, Index size)
-  { return std::clamp<Index>(static_cast<Index>(x * static_cast<double>(size)), 0, size - 1); };
-  return along(st[1], image.Grid.Height) * image.Grid.Width + along(st[0], image.Grid.Width);
+  { return std::clamp<Index>(static_cast<Index>(x), 0, size - 1); };
+  return along(pixels[1], image.Grid.Height) * image.Grid.Width +
+    along(pixels[0], image.Grid.Width);
 }
 
 // Labels of all pixels. A pixel whose middle is beyond the outline of the map shows a part of the
@@ -57,16 +65,6 @@ std::vector<int> extended(const MapImage& image, const std::vector<int>& labels)
     }
   }
   return result;
-}
-
-// Position of a direction in pixels.
-Vector2 inPixels(const MapImage& image, const Vector3& n)
-{
-  const Vector2 half = halfSizeOfMap(image.Projection);
-  const Vector2 place = sphereToMap(n, image.Projection, image.CentralLongitude);
-  return 0.5 *
-    (place.cwiseQuotient(half) + Vector2::Ones())
-      .cwiseProduct(Vector2(double(image.Grid.Width), double(image.Grid.Height)));
 }
 
 // Sums over the parts of one label.
@@ -144,7 +142,7 @@ private:
     const double length = n.norm();
     corner.Direction = length > 0.0 ? Vector3(n / length) : Vector3(0, 0, 1);
     corner.Pixels = inPixels(this->Image, corner.Direction);
-    corner.Label = this->Labels[pixelOf(this->Image, corner.Direction)];
+    corner.Label = this->Labels[pixelAt(this->Image, corner.Pixels)];
     return corner;
   }
 
@@ -265,7 +263,7 @@ public:
       return {};
     }
     const Vector3 beyond = 2.0 * here.dot(before) * here - before;
-    const Index other = pixelOf(this->Image, beyond);
+    const Index other = pixelAt(this->Image, inPixels(this->Image, beyond));
     return { this->IsInMap[other] && other != pixel ? other : Outside, true };
   }
 
@@ -466,7 +464,7 @@ MapLabels measureMapLabels(
   result.VertexLabels.resize(body.Positions.rows());
   for (Index v = 0; v < body.Positions.rows(); ++v)
   {
-    result.VertexLabels[v] = onMap[pixelOf(image, body.SpherePositions.row(v))];
+    result.VertexLabels[v] = onMap[pixelAt(image, inPixels(image, body.SpherePositions.row(v)))];
   }
   return result;
 }
