@@ -30,7 +30,28 @@ from conformalsom.command import scan_files  # pylint: disable=wrong-import-posi
 FAR = 0.25  # an error as from head to tail
 
 
-class Model:
+class SpherePlaces:
+    """A surface with a map, on which directions on the sphere are looked up."""
+
+    def __init__(self, points, triangles, sphere):
+        self.points, self.triangles = points, triangles
+        a, b, c = points[triangles.T]
+        self.size = np.sqrt(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+        a, b, c = sphere[triangles.T]
+        # A direction d is in the triangle whose three products with d are at least 0.
+        self.inside = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
+        self.inside /= np.einsum("ij,ij->i", a, self.inside[:, 0])[:, None, None]
+
+    def find(self, direction):
+        """The corners of the triangle that has a direction, and the position there."""
+        weights = self.inside @ direction
+        found = weights.min(axis=1).argmax()
+        weights = np.maximum(weights[found], 0.0)
+        corners = self.triangles[found]
+        return corners, weights @ self.points[corners] / weights.sum()
+
+
+class Model(SpherePlaces):
     """A mapped mesh with its landmarks, and how far every point is from each of them."""
 
     def __init__(self, path, balance):
@@ -47,13 +68,8 @@ class Model:
         self.points = vtk_to_numpy(self.mapped.GetPoints().GetData()).astype(float)
         if not self.landmarks or not 0 <= min(self.landmarks) <= max(self.landmarks) < len(self.points):
             raise ValueError(f"{self.name}.landmarks: expected ids of the {len(self.points)} points of {self.name}.off")
-        self.triangles = vtk_to_numpy(self.mapped.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-        a, b, c = self.points[self.triangles.T]
-        self.size = np.sqrt(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
-        a, b, c = sphere_of(self.mapped)[self.triangles.T]
-        # A direction d is in the triangle whose three products with d are at least 0.
-        self.inside = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
-        self.inside /= np.einsum("ij,ij->i", a, self.inside[:, 0])[:, None, None]
+        super().__init__(self.points, vtk_to_numpy(self.mapped.GetPolys().GetConnectivityArray()).reshape(-1, 3),
+                         sphere_of(self.mapped))
         self.distances = [self.distances_from(point) for point in self.landmarks]
 
     def distances_from(self, point):
@@ -71,11 +87,7 @@ class Model:
         """Of each landmark, from where its direction leads to the true one."""
         result = []
         for direction, distances in zip(directions, self.distances):
-            weights = self.inside @ direction
-            found = weights.min(axis=1).argmax()
-            weights = np.maximum(weights[found], 0.0)
-            corners = self.triangles[found]
-            place = weights @ self.points[corners] / weights.sum()
+            corners, place = self.find(direction)
             ways = distances[corners] + np.linalg.norm(self.points[corners] - place, axis=1)
             result.append(ways.min() / self.size)
         return np.array(result)

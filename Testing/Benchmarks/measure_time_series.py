@@ -21,6 +21,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from conformalsom import (vtkGeodesicSphereSource, vtkGlobalConformalMap, vtkSphericalAlignment,
                           vtkSphericalRegistration, vtkSphericalTimeSeries)
 from conformalsom.command import scan_files
+from compare_registrations import SpherePlaces, sphere_of
 from helpers import paper_models
 
 STEPS = 11
@@ -81,28 +82,18 @@ def made(body, step, random):
     return mapped(surface), directions
 
 
-class Step:
+class Step(SpherePlaces):
     """A surface with a map, on which positions on the sphere are looked up."""
 
     def __init__(self, surface, sphere):
-        self.points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-        self.triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        super().__init__(vtk_to_numpy(surface.GetPoints().GetData()).astype(float),
+                         vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3), sphere)
         a, b, c = self.points[self.triangles.T]
         cross = np.cross(b - a, c - a)
-        self.size = np.sqrt(0.5 * np.linalg.norm(cross, axis=1).sum())
         self.normals = cross / np.linalg.norm(cross, axis=1)[:, None]
-        a, b, c = sphere[self.triangles.T]
-        self.inside = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)], axis=1)
-        self.inside /= np.einsum("ij,ij->i", a, self.inside[:, 0])[:, None, None]
 
     def places(self, directions):
-        result = []
-        for direction in directions:
-            weights = self.inside @ direction
-            found = weights.min(axis=1).argmax()
-            weights = np.maximum(weights[found], 0.0)
-            result.append(weights @ self.points[self.triangles[found]] / weights.sum())
-        return np.array(result)
+        return np.array([self.find(direction)[1] for direction in directions])
 
     def errors(self, places, true):
         """Components of the errors along the normal and along the surface, in percent of the size."""
@@ -112,10 +103,6 @@ class Step:
         normal = np.einsum("ij,ij->i", difference, self.normals[nearest])
         along = np.linalg.norm(difference - normal[:, None] * self.normals[nearest], axis=1)
         return 100 * np.abs(normal) / self.size, 100 * along / self.size
-
-
-def sphere_of(surface):
-    return vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition")).astype(float)
 
 
 def series_of(surfaces, **properties):
