@@ -181,16 +181,12 @@ int vtkSphericalMorph::RequestInformation(
 {
   if (this->GenerateTimeSteps)
   {
-    using Executive = vtkStreamingDemandDrivenPipeline;
     std::vector<double> steps(this->NumberOfTimeSteps);
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
       steps[i] = static_cast<double>(i) / static_cast<double>(steps.size() - 1);
     }
-    const double range[2] = { 0.0, 1.0 };
-    vtkInformation* info = outputs->GetInformationObject(0);
-    info->Set(Executive::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
-    info->Set(Executive::TIME_RANGE(), range, 2);
+    glue::SetTimeSteps(outputs->GetInformationObject(0), steps);
   }
   return 1;
 }

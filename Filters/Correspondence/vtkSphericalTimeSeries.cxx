@@ -7,6 +7,7 @@
 #include "Glue/Points.h"
 #include "Glue/RegisteredSurfaces.h"
 #include "Glue/Run.h"
+#include "Linear/EdgeWeights.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Motion/SphericalTimeSeries.h"
 #include "Motion/SurfaceMotion.h"
@@ -52,6 +53,7 @@ struct SeriesStep
 // What is shown of a time step that is used.
 struct UsedStep
 {
+  vtkPolyData* Surface = nullptr; // that of its SeriesStep
   glue::SurfaceToRegister Registered;
   conformal::SphericalRegistrationResult Result;
   conformal::MovingSurface Moving;
@@ -90,17 +92,9 @@ std::vector<double> TimesOfInput(vtkInformationVector* inputs)
 // Compute the mean of values at vertices, weighted by area.
 double MeanOver(const conformal::MappedMesh& mesh, const std::vector<double>& values)
 {
-  double sum = 0.0, areas = 0.0;
-  for (conformal::Index f = 0; f < mesh.Triangles.rows(); ++f)
-  {
-    const double area = conformal::areaVector(mesh.Positions, mesh.Triangles, f).norm();
-    areas += area;
-    for (int k = 0; k < 3; ++k)
-    {
-      sum += area * values[mesh.Triangles(f, k)] / 3.0;
-    }
-  }
-  return areas > 0.0 ? sum / areas : 0.0;
+  const Eigen::VectorXd areas = conformal::vertexAreas(mesh.Positions, mesh.Triangles);
+  const Eigen::Map<const Eigen::VectorXd> all(values.data(), areas.size());
+  return areas.dot(all) / areas.sum();
 }
 
 // Return values of all points from values of vertices; 0 at points of no triangle.
@@ -205,6 +199,8 @@ public:
     conformal::Steps progress(glue::RunOf(self), shares);
     this->Convert(self, landmarkArrayName, progress);
     this->Register(options, reference, progress.next());
+    this->Tabulate();
+    this->IsDone = true;
     this->Warn(self);
   }
 
@@ -213,7 +209,7 @@ public:
   {
     const TimePlace place = this->PlaceOf(time);
     const UsedStep& step = this->Used[place.First];
-    output->ShallowCopy(this->SurfaceOf(place.First));
+    output->ShallowCopy(step.Surface);
     conformal::SurfaceMotion motion;
     const bool isBetween = place.Second != place.First;
     if (isBetween)
@@ -239,7 +235,10 @@ public:
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), shown);
   }
 
-  void Tabulate(vtkTable* table) const
+  vtkTable* Table() const { return this->Rows; }
+
+private:
+  void Tabulate()
   {
     vtkNew<vtkStringArray> states;
     vtkNew<vtkIdTypeArray> folds;
@@ -276,7 +275,8 @@ public:
       areas[s] /= area;
       volumes[s] = volume != 0.0 ? volumes[s] / volume : 0.0;
     }
-    vtkFieldData* rows = table->GetRowData();
+    this->Rows = vtkSmartPointer<vtkTable>::New();
+    vtkFieldData* rows = this->Rows->GetRowData();
     glue::AddNumbers(rows, "Time", times);
     rows->AddArray(states);
     glue::AddNumbers(rows, "RelativeArea", areas);
@@ -288,7 +288,6 @@ public:
     glue::AddNumbers(rows, "MeanShearRate", shears);
   }
 
-private:
   // Convert all surfaces, and find those that cannot be used.
   void Convert(vtkObject* self, const std::string& landmarkArrayName, conformal::Steps& progress)
   {
@@ -343,7 +342,6 @@ private:
       this->Used[k].Moving.Time = this->Inputs[k].Time;
     }
     this->Inputs.clear();
-    this->IsDone = true;
   }
 
   void Warn(vtkObject* self) const
@@ -377,6 +375,7 @@ private:
       throw std::invalid_argument("the surface is empty");
     }
     UsedStep used;
+    used.Surface = step.Surface;
     used.Registered = glue::ToSurfaceToRegister(self, step.Surface, {}, this->Frame, run);
     // Reject maps that registration would reject.
     const conformal::PreparedSurface usable(used.Registered.Core, {}, false, false, "given");
@@ -398,13 +397,6 @@ private:
     step.Fault.clear();
     this->Used.push_back(std::move(used));
     this->Inputs.push_back(std::move(input));
-  }
-
-  vtkPolyData* SurfaceOf(std::size_t used) const
-  {
-    return std::find_if(this->Steps.begin(), this->Steps.end(),
-      [&](const SeriesStep& step) { return step.Used == static_cast<int>(used); })
-      ->Surface;
   }
 
   TimePlace PlaceOf(double time) const
@@ -474,6 +466,7 @@ private:
 
   std::vector<UsedStep> Used;
   std::vector<conformal::TimeStep> Inputs; // of the registration
+  vtkSmartPointer<vtkTable> Rows;          // a row for each time step
   conformal::CoordinateFrame Frame;
   int Reference = 0;
 };
@@ -536,13 +529,9 @@ int vtkSphericalTimeSeries::RequestInformation(
       times[s] = static_cast<double>(s);
     }
   }
-  const double range[2] = { times.empty() ? 0.0 : times.front(),
-    times.empty() ? 0.0 : times.back() };
-  for (int port = 0; port < 2; ++port)
+  for (int port = 0; port < 2 && !times.empty(); ++port)
   {
-    vtkInformation* info = outputs->GetInformationObject(port);
-    info->Set(Executive::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-    info->Set(Executive::TIME_RANGE(), range, 2);
+    glue::SetTimeSteps(outputs->GetInformationObject(port), times);
   }
   return 1;
 }
@@ -594,7 +583,7 @@ int vtkSphericalTimeSeries::RequestData(
       if (series.IsDone)
       {
         series.Show(time, output);
-        series.Tabulate(table);
+        table->ShallowCopy(series.Table());
       }
     });
 }

@@ -13,6 +13,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <limits>
@@ -118,6 +119,15 @@ std::vector<conformal::MappedMesh> ToMappedMeshes(
     run.report(static_cast<double>(meshes.size()) / static_cast<double>(sets.size()));
   }
   return meshes;
+}
+
+//------------------------------------------------------------------------------
+void SetTimeSteps(vtkInformation* outputInformation, const std::vector<double>& times)
+{
+  using Executive = vtkStreamingDemandDrivenPipeline;
+  const double range[2] = { times.front(), times.back() };
+  outputInformation->Set(Executive::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  outputInformation->Set(Executive::TIME_RANGE(), range, 2);
 }
 
 //------------------------------------------------------------------------------

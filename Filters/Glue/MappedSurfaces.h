@@ -47,6 +47,10 @@ struct Surfaces
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
+/// Set the time steps of an output in the pipeline information.
+/// @param[in] times  at least one, in ascending order
+void SetTimeSteps(vtkInformation* outputInformation, const std::vector<double>& times);
+
 /// Append the surfaces of all connections of a port. From composite data, append all blocks in
 /// sequence, except empty blocks.
 /// @throws std::invalid_argument if a data object or block is not a vtkPolyData

@@ -2,8 +2,10 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -29,6 +31,17 @@ vtkDataArray* VoxelsOf(vtkImageData* image, const std::string& name, int compone
   }
   return array;
 }
+}
+
+//------------------------------------------------------------------------------
+void RequestWholeImage(vtkInformation* inputInformation)
+{
+  using Executive = vtkStreamingDemandDrivenPipeline;
+  if (inputInformation && inputInformation->Has(Executive::WHOLE_EXTENT()))
+  {
+    inputInformation->Set(
+      Executive::UPDATE_EXTENT(), inputInformation->Get(Executive::WHOLE_EXTENT()), 6);
+  }
 }
 
 //------------------------------------------------------------------------------

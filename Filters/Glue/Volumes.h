@@ -8,9 +8,13 @@
 #include <string> // for the name of an array
 
 class vtkImageData;
+class vtkInformation;
 
 namespace glue
 {
+/// Request the whole extent of an input image, for filters that need all of it for any output.
+void RequestWholeImage(vtkInformation* inputInformation);
+
 /// Copy one component of a point array of an image. Spacing, origin and direction of the image are
 /// kept.
 /// @param[in] name       name of the point array; empty for the active scalars

@@ -6,6 +6,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
+#include "Glue/Volumes.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -16,7 +17,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <cmath>
@@ -159,12 +159,7 @@ int vtkMapLabels::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkMapLabels::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* info = inputVector[1]->GetInformationObject(0);
-  if (info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
-  }
+  glue::RequestWholeImage(inputVector[1]->GetInformationObject(0));
   return 1;
 }
 

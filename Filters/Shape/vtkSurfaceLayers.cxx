@@ -183,12 +183,7 @@ int vtkSurfaceLayers::RequestInformation(
 int vtkSurfaceLayers::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* info = inputVector[1]->GetInformationObject(0);
-  if (info && info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
-  }
+  glue::RequestWholeImage(inputVector[1]->GetInformationObject(0));
   return 1;
 }
 

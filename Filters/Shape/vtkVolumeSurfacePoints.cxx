@@ -15,7 +15,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <utility>
 
@@ -73,12 +72,7 @@ int vtkVolumeSurfacePoints::FillInputPortInformation(int, vtkInformation* info)
 int vtkVolumeSurfacePoints::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
-  }
+  glue::RequestWholeImage(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -1,8 +1,7 @@
 #include "Motion/SphericalTimeSeries.h"
 
 #include "Base/Steps.h"
-#include "Register/SphereSamples.h"
-#include "Sphere/SphereOrientation.h"
+#include "Motion/SurfaceMotion.h"
 
 #include <algorithm>
 #include <iterator>
@@ -54,7 +53,6 @@ public:
     , Known(known)
     , Options(options)
     , Results(steps.size())
-    , Grids(steps.size())
   {
     SphericalRegistrationResult& reference = this->Results[options.Reference];
     reference.SpherePositions = steps[options.Reference].Surface.Surface.SpherePositions;
@@ -110,7 +108,6 @@ public:
       this->Known[hash.value()] = this->Results[step];
     }
     this->Used.insert(hash.value());
-    this->Grids[step] = SphereGrid();
     run.report(1.0);
   }
 
@@ -128,17 +125,12 @@ public:
 private:
   // Compute the expected positions of the neighbor's vertices at the time of a step, from the
   // positions of the neighbor and of another time step.
-  Points expected(Index step, Index neighbor, Index other)
+  Points expected(Index step, Index neighbor, Index other) const
   {
     const MappedMesh& mesh = this->Inputs[neighbor].Surface.Surface;
-    const MappedMesh& second = this->Inputs[other].Surface.Surface;
-    if (this->Grids[other].size() == 0)
-    {
-      this->Grids[other] = SphereGrid(Mesh{ this->Results[other].SpherePositions,
-        turnedOutward(second.Triangles, this->Results[other].SpherePositions) });
-    }
-    const Points there =
-      sampleAt(this->Grids[other], second.Positions, this->Results[neighbor].SpherePositions);
+    MappedMesh second = this->Inputs[other].Surface.Surface;
+    second.SpherePositions = this->Results[other].SpherePositions;
+    const Points there = positionsInDirections(second, this->Results[neighbor].SpherePositions);
     const double passed = this->Inputs[step].Time - this->Inputs[neighbor].Time,
                  between = this->Inputs[other].Time - this->Inputs[neighbor].Time;
     const double fraction = passed / between; // below 0 for extrapolation
@@ -150,7 +142,6 @@ private:
   KnownRegistrations& Known;
   const SphericalTimeSeriesOptions& Options;
   std::vector<SphericalRegistrationResult> Results;
-  std::vector<SphereGrid> Grids; // present map of each time step; empty until it is needed
   std::set<std::uint64_t> Used;
 };
 }

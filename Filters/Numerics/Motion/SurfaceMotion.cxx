@@ -14,13 +14,6 @@ namespace conformal
 {
 namespace
 {
-Points positionsOf(const MappedMesh& other, const Points& directions, const Run& run)
-{
-  const SphereGrid grid(
-    Mesh{ other.SpherePositions, turnedOutward(other.Triangles, other.SpherePositions) }, run);
-  return sampleAt(grid, other.Positions, directions, run);
-}
-
 // Weights of values at three times for the derivative at the middle time. The error is of second
 // order also if the times are not evenly spaced. If the middle time is the first or the last one,
 // the difference is one-sided.
@@ -61,7 +54,7 @@ SurfaceMotion computeMotion(const MovingSurface& before, const MovingSurface& su
   const auto at = [&](const MovingSurface& other)
   {
     return &other == &surface ? mesh.Positions
-                              : positionsOf(other.Surface, mesh.SpherePositions, run);
+                              : positionsInDirections(other.Surface, mesh.SpherePositions, run);
   };
   const Points first = at(before), last = at(after);
   SurfaceMotion motion;
@@ -112,9 +105,18 @@ SurfaceMotion computeMotion(const MovingSurface& before, const MovingSurface& su
 }
 
 //------------------------------------------------------------------------------
+Points positionsInDirections(const MappedMesh& surface, const Points& directions, const Run& run)
+{
+  const SphereGrid grid(
+    Mesh{ surface.SpherePositions, turnedOutward(surface.Triangles, surface.SpherePositions) },
+    run);
+  return sampleAt(grid, surface.Positions, directions, run);
+}
+
+//------------------------------------------------------------------------------
 Points positionsBetween(const MappedMesh& surface, const MappedMesh& later, double fraction)
 {
   return (1.0 - fraction) * surface.Positions +
-    fraction * positionsOf(later, surface.SpherePositions, {});
+    fraction * positionsInDirections(later, surface.SpherePositions);
 }
 }

@@ -46,6 +46,11 @@ struct SurfaceMotion
 SurfaceMotion computeMotion(const MovingSurface& before, const MovingSurface& surface,
   const MovingSurface& after, const Run& run = {});
 
+/// Interpolate the positions of a surface in directions on the sphere. The map of the surface can
+/// be mirrored.
+Points positionsInDirections(
+  const MappedMesh& surface, const Points& directions, const Run& run = {});
+
 /// Move the vertices of a surface to another time: interpolate in time between the surface and a
 /// later surface with a corresponding map.
 /// @param[in] fraction  0 at the time of `surface`, 1 at the time of `later`

@@ -203,7 +203,7 @@ std::vector<double> weightsOf(double shapeWeight, const std::vector<double>& fea
   return weights;
 }
 
-std::vector<double> withProximities(std::vector<double> weights,
+std::vector<double> withPositionsAndProximities(std::vector<double> weights,
   const SphericalRegistrationOptions& options, const PreparedSurface& surface)
 {
   const double shapeWeight = options.ShapeWeight;
@@ -234,7 +234,7 @@ SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
   if (diffeomorphic || landmarks.empty())
   {
     DeformationOptions deforming;
-    deforming.FeatureWeights = withProximities(weights, options, from);
+    deforming.FeatureWeights = withPositionsAndProximities(weights, options, from);
     deforming.StretchWeight = options.StretchWeight;
     deforming.Frequency = diffeomorphic ? options.Frequency : CoarsestFrequency;
     found = findDeformations(from, to, pairs.Pairs, deforming, searching);
