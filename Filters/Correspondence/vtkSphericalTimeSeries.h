@@ -26,8 +26,9 @@
  * - point array "ShearRate" (double, 1 component): half of the difference of the principal strain
  *   rates.
  * - field data "RegistrationStretch", "LandmarkError", "FeatureAgreement", "NumberOfFolds" and
- *   "Ambiguous": quality of the registration with the neighbor in time, as described in
- *   vtkSphericalRegistration.
+ *   "Ambiguous": quality of the last registration, as described in vtkSphericalRegistration. The
+ *   last registration is that with the surface of ReferenceStep, or that with the neighbor in time
+ *   if NumberOfSweeps is 0.
  * - field data "IsInterpolated" (idtype, 1 value): 1 if the output is not a surface of the input.
  *
  * Output port 1: vtkTable, a row for each time step of the input:
@@ -49,7 +50,9 @@
  * share one space, and bodies move smoothly: corresponding points should be near the positions that
  * are expected from the motion so far. Shape alone cannot determine a rotation of a body about its
  * own axis. After the first pass, NumberOfSweeps passes register each surface again, with positions
- * that are interpolated in time between both neighbors.
+ * that are interpolated in time between both neighbors. They then register each surface with that
+ * of ReferenceStep, starting from its present map, so that small errors of many registrations do
+ * not add up.
  *
  * Registrations are kept. If a run was stopped, or if surfaces are added at the end, the next run
  * computes only what is missing. The output is equal bit by bit for any number of threads.
@@ -128,8 +131,8 @@ public:
 
   ///@{
   /**
-   * Number of passes over all time steps after the first pass. A pass takes as long as the first
-   * one. In [0, 10]. Default is 1.
+   * Number of passes over all time steps after the first pass. A pass takes about as long as the
+   * first one. With 0, small errors add up over time. In [0, 10]. Default is 1.
    */
   vtkSetClampMacro(NumberOfSweeps, int, 0, 10);
   vtkGetMacro(NumberOfSweeps, int);

@@ -14,6 +14,8 @@ namespace conformal
 namespace
 {
 constexpr double Damping = 0.5; // factor of a velocity that is extrapolated
+// Weight of the distance between positions before and after a registration with the reference.
+constexpr double KeepWeight = 3.0;
 
 // Hash of numbers, \cite Fowler1991.
 class Hash
@@ -59,32 +61,88 @@ public:
     reference.Stretch = 1.0;
   }
 
-  // Register a time step with its neighbor. Other is the neighbor's neighbor for extrapolation, or
-  // the other neighbor of the time step for interpolation; -1 if there is none.
-  void registerStep(Index step, Index neighbor, Index other, const Run& run)
+  // Register a time step with its neighbor. Other is the neighbor's neighbor, for extrapolation, or
+  // the other neighbor of the time step, for interpolation; -1 if there is none.
+  void registerWithNeighbor(Index step, Index neighbor, Index other, const Run& run)
   {
-    RegisteredSurface fixed = this->Inputs[neighbor].Surface;
-    fixed.Surface.SpherePositions = this->Results[neighbor].SpherePositions;
+    RegisteredSurface fixed = this->present(neighbor);
     if (other >= 0)
     {
       fixed.Expected = this->expected(step, neighbor, other);
     }
-    const RegisteredSurface& moving = this->Inputs[step].Surface;
+    this->registerWith(neighbor, fixed, step, this->Options.Registration.PositionWeight, run);
+  }
+
+  // Register a time step with the reference. Keep points near their present positions. If the
+  // reference does not have all landmarks of the time step, the others would lose their targets:
+  // leave the map as it is.
+  void registerWithReference(Index step, const Run& run)
+  {
+    const auto& landmarks = this->Inputs[this->Options.Reference].Landmarks;
+    for (const auto& landmark : this->Inputs[step].Landmarks)
+    {
+      if (landmarks.count(landmark.first) == 0)
+      {
+        run.report(1.0);
+        return;
+      }
+    }
+    RegisteredSurface fixed = this->present(this->Options.Reference);
+    fixed.Expected =
+      positionsInDirections(this->present(step).Surface, fixed.Surface.SpherePositions);
+    this->registerWith(this->Options.Reference, fixed, step, KeepWeight, run);
+  }
+
+  // Forget registrations that this call did not use.
+  void forgetOthers()
+  {
+    for (auto known = this->Known.begin(); known != this->Known.end();)
+    {
+      known = this->Used.count(known->first) > 0 ? std::next(known) : this->Known.erase(known);
+    }
+  }
+
+  std::vector<SphericalRegistrationResult> results() { return std::move(this->Results); }
+
+private:
+  // Return the surface of a time step with its present map: the input map before the first
+  // registration.
+  RegisteredSurface present(Index step) const
+  {
+    RegisteredSurface surface = this->Inputs[step].Surface;
+    if (this->isRegistered(step))
+    {
+      surface.Surface.SpherePositions = this->Results[step].SpherePositions;
+    }
+    return surface;
+  }
+
+  bool isRegistered(Index step) const { return this->Results[step].SpherePositions.rows() > 0; }
+
+  // Register a time step with another one. If the time step was registered before, start from its
+  // present map.
+  void registerWith(
+    Index other, const RegisteredSurface& fixed, Index step, double positionWeight, const Run& run)
+  {
+    const RegisteredSurface moving = this->present(step);
+    SphericalRegistrationOptions with = this->Options.Registration;
+    with.PositionWeight = positionWeight;
+    with.StartFromMaps = this->isRegistered(step);
+    const bool wasAmbiguous = this->Results[step].IsAmbiguous;
     std::vector<std::pair<int, int>> landmarks;
     Hash hash;
     for (const auto& [number, vertex] : this->Inputs[step].Landmarks)
     {
-      const auto found = this->Inputs[neighbor].Landmarks.find(number);
-      if (found != this->Inputs[neighbor].Landmarks.end())
+      const auto found = this->Inputs[other].Landmarks.find(number);
+      if (found != this->Inputs[other].Landmarks.end())
       {
         landmarks.emplace_back(vertex, found->second);
         hash.add(vertex);
         hash.add(found->second);
       }
     }
-    const SphericalRegistrationOptions& with = this->Options.Registration;
-    for (const double number :
-      { with.ShapeWeight, with.PositionWeight, with.StretchWeight, 1.0 * with.Frequency })
+    for (const double number : { with.ShapeWeight, with.PositionWeight, with.StretchWeight,
+           1.0 * with.Frequency, with.StartFromMaps ? 1.0 : 0.0 })
     {
       hash.add(number);
     }
@@ -107,22 +165,11 @@ public:
       }
       this->Known[hash.value()] = this->Results[step];
     }
+    this->Results[step].IsAmbiguous = this->Results[step].IsAmbiguous || wasAmbiguous;
     this->Used.insert(hash.value());
     run.report(1.0);
   }
 
-  // Forget registrations that this call did not use.
-  void forgetOthers()
-  {
-    for (auto known = this->Known.begin(); known != this->Known.end();)
-    {
-      known = this->Used.count(known->first) > 0 ? std::next(known) : this->Known.erase(known);
-    }
-  }
-
-  std::vector<SphericalRegistrationResult> results() { return std::move(this->Results); }
-
-private:
   // Compute the expected positions of the neighbor's vertices at the time of a step, from the
   // positions of the neighbor and of another time step.
   Points expected(Index step, Index neighbor, Index other) const
@@ -164,8 +211,8 @@ std::vector<SphericalRegistrationResult> registerTimeSeries(const std::vector<Ti
     }
   }
   Series series(steps, known, options);
-  Steps parts(
-    run, std::vector<double>(std::max<Index>(1, (size - 1) * (1 + options.NumberOfSweeps)), 1.0));
+  Steps parts(run,
+    std::vector<double>(std::max<Index>(1, (size - 1) * (1 + 2 * options.NumberOfSweeps)), 1.0));
   for (int pass = 0; pass <= options.NumberOfSweeps; ++pass)
   {
     for (const Index direction : { 1, -1 })
@@ -175,8 +222,15 @@ std::vector<SphericalRegistrationResult> registerTimeSeries(const std::vector<Ti
         const Index before = t - 2 * direction, after = t + direction;
         const bool hasAfter = pass > 0 && after >= 0 && after < size;
         const bool hasBefore = (t - direction) != options.Reference;
-        series.registerStep(
+        series.registerWithNeighbor(
           t, t - direction, hasAfter ? after : (hasBefore ? before : -1), parts.next());
+      }
+    }
+    for (Index t = 0; t < size && pass > 0; ++t)
+    {
+      if (t != options.Reference)
+      {
+        series.registerWithReference(t, parts.next());
       }
     }
   }

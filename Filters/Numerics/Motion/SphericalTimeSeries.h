@@ -29,8 +29,8 @@ struct SphericalTimeSeriesOptions
   /// Options of each registration. Space must be Diffeomorphic.
   SphericalRegistrationOptions Registration;
   Index Reference = 0; ///< index of the time step whose map does not change
-  /// Number of sweeps after the first pass. A sweep registers each time step again, with positions
-  /// that are expected from both neighbors in time.
+  /// Number of sweeps after the first pass. A sweep registers each time step again: first with
+  /// positions that are expected from both neighbors in time, then with the reference.
   int NumberOfSweeps = 1;
 };
 
@@ -58,10 +58,18 @@ using KnownRegistrations = std::map<std::uint64_t, SphericalRegistrationResult>;
 /// 2. In each sweep, register each time step again. The positions of the fixed surface are
 ///    interpolated in time between both neighbors of the moving surface. This removes slips of
 ///    single time steps along the surface, which later time steps would have inherited.
+/// 3. Then register each time step with the reference, starting from its present map, so that small
+///    errors of many registrations do not add up (drift). Each position of the reference is
+///    expected where the present map has it on the time step. The result therefore stays near the
+///    present map, also if the body has changed so much that shape alone leads to wrong
+///    correspondences.
+/// A time step with a landmark that the reference does not have is not registered with the
+/// reference, since this landmark would lose its target.
 /// @param[in] steps  #S time steps, at least one, in ascending order of times
 /// @param[in,out] known  registrations of earlier calls; the registrations of this call are added
 /// @return #S results; SpherePositions of a time step is its new map. The result of the reference
-///   is its input map.
+///   is its input map. Quality is that of the last registration of the time step; IsAmbiguous is
+///   true if any of its registrations was ambiguous.
 /// @throws std::invalid_argument if a map has folds, or does not cover the sphere once; the message
 ///   contains the name of the time step
 /// @throws std::invalid_argument if times do not ascend, or the reference is not a time step

@@ -348,15 +348,22 @@ FoundDeformations findDeformations(const PreparedSurface& moving, const Prepared
   }
   Steps steps(run, shares);
   Descents descents(moving, fixed, pairs, options);
-  const std::vector<Eigen::Matrix3d> rotations = descents.rotations(steps.next());
+  const Run searching = steps.next();
+  const std::vector<Eigen::Matrix3d> rotations = options.StartFromMaps
+    ? std::vector<Eigen::Matrix3d>{ Eigen::Matrix3d::Identity() }
+    : descents.rotations(searching);
   std::vector<Candidate> candidates = descents.fromRotations(rotations, steps.next());
-  std::vector<SpherePair> turned;
-  for (const SpherePair& pair : pairs)
+  std::vector<Candidate> second;
+  if (!options.StartFromMaps)
   {
-    turned.push_back({ pair.To, pair.From });
+    std::vector<SpherePair> turned;
+    for (const SpherePair& pair : pairs)
+    {
+      turned.push_back({ pair.To, pair.From });
+    }
+    Descents backward(fixed, moving, turned, options);
+    second = takeSecond(candidates, descents, backward);
   }
-  Descents backward(fixed, moving, turned, options);
-  std::vector<Candidate> second = takeSecond(candidates, descents, backward);
   for (const int frequency : frequencies)
   {
     descents.continueAt(frequency, { &candidates, &second });

@@ -27,6 +27,7 @@ struct DeformationOptions
   std::vector<double> FeatureWeights; ///< weights of all features of PreparedSurface::sampled()
   double StretchWeight = 1.0;         ///< weight of the stretch; above 0
   int Frequency = 16;                 ///< frequency of the finest geodesic sphere
+  bool StartFromMaps = false;         ///< descend from the present maps only, see below
 };
 
 /// Deformation of the sphere of the moving surface.
@@ -80,6 +81,8 @@ struct FoundDeformations
 /// 5. Continue the descents on finer geodesic spheres. The weight of the landmarks grows. In the
 ///    last descent, the energy terms against folds have smaller weights. Choose the deformation of
 ///    minimum energy.
+///
+/// If StartFromMaps is true, the only start is the identity, and steps 1, 3 and 4 are left out.
 /// @param[in] pairs  landmarks: corresponding positions on the spheres of both surfaces
 /// @throws Aborted
 FoundDeformations findDeformations(const PreparedSurface& moving, const PreparedSurface& fixed,

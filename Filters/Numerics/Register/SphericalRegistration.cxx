@@ -236,6 +236,7 @@ SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
     DeformationOptions deforming;
     deforming.FeatureWeights = withPositionsAndProximities(weights, options, from);
     deforming.StretchWeight = options.StretchWeight;
+    deforming.StartFromMaps = options.StartFromMaps;
     deforming.Frequency = diffeomorphic ? options.Frequency : CoarsestFrequency;
     found = findDeformations(from, to, pairs.Pairs, deforming, searching);
   }
@@ -302,7 +303,7 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
   const double first = landmarks.empty() ? 1.0 : 0.6;
   SphericalRegistrationResult result =
     registerOnce(moving, fixed, landmarks, featureWeights, options, false, run.part(0.0, first));
-  if (result.NumberOfUnmetLandmarks > 0)
+  if (result.NumberOfUnmetLandmarks > 0 && !options.StartFromMaps)
   {
     const auto other = balanced(moving, run.part(first, 0.7));
     if (other)

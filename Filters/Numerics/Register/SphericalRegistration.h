@@ -41,6 +41,9 @@ struct SphericalRegistrationOptions
   /// Frequency f of the finest geodesic sphere on which the deformation is computed, at least 8. A
   /// geodesic sphere is a subdivided icosahedron with 10 f^2 + 2 vertices.
   int Frequency = 16;
+  /// Whether the input maps approximately correspond. The deformation then starts from these maps,
+  /// instead of from the best of several rotations, and step 4 is left out.
+  bool StartFromMaps = false;
 };
 
 /// New map of the moving surface, and measures of its agreement with the fixed surface.
