@@ -2,7 +2,7 @@
 # source) include each other, not even through others. Tests have the rooms of what they test.
 cmake_minimum_required(VERSION 3.18)
 
-set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Repair Border Surface Measure Learn/Fit Learn/Online Learn/Batch Learn Texture Body Volume Register Motion Harmonics)
+set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Repair Border Surface Measure Learn/Fit Learn/Online Learn/Batch Learn Geodesics Texture Body Volume Register Motion Harmonics)
 set(below_Base)
 set(below_Mesh Base)
 set(below_TriangleMap Base)
@@ -19,6 +19,7 @@ set(below_Learn/Fit Base Mesh Search Cloud Linear)
 set(below_Learn/Online Base Mesh TriangleMap Search Cloud Learn/Fit)
 set(below_Learn/Batch Base Mesh TriangleMap Search Cloud Sphere Learn/Fit Learn/Online)
 set(below_Learn Base Mesh Search Cloud Border Sphere SphereMap Hull Measure Learn/Fit Learn/Online Learn/Batch)
+set(below_Geodesics Base Mesh Linear)
 set(below_Texture Base Mesh Search Sphere)
 set(below_Body Base Mesh Search Sphere Texture)
 set(below_Volume Base Mesh Search)

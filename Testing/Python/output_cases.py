@@ -624,6 +624,9 @@ CASES = {
     "vtkSurfaceNormalMap": Filter(
         inputs(lambda: chain()["vtkSphericalTextureMap"], mapped),
         inputs(lambda: chain()["vtkSphericalTextureMap"], mapped, ImageSize=(48, 40))),
+    "vtkSurfaceGeodesics": Filter(
+        inputs(mapped, NumberOfFarthestPoints=2), inputs(mapped, NumberOfFarthestPoints=2),
+        others={"picked": inputs([], torus)}),
     "vtkSurfaceShape": Filter(inputs(mapped), others={"scales": properties_of(CurvatureScale=0.1, DepthScale=0.2)}),
 
     # Writers.

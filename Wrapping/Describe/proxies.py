@@ -43,7 +43,7 @@ GROUPS = {  # submenus of filters
     "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend", "SurfaceNormalMap"),
     "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
                        "SphericalTimeSeries", "ConsistentRemesh"),
-    "Shape": ("BodyMap", "BodyMapImage", "MapLabels", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceLayers",
+    "Shape": ("BodyMap", "BodyMapImage", "MapLabels", "SurfaceGeodesics", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceLayers",
               "SurfaceShape", "VolumeSurfacePoints"),
 }
 DATA_TYPES = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",

@@ -1,0 +1,253 @@
+#include "Geodesics/HeatDistances.h"
+
+#include "Base/DisjointSets.h"
+#include "Base/Steps.h"
+#include "Linear/ShiftedSystem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace conformal
+{
+namespace
+{
+constexpr double FinestTime = 1.0 / 250.0; // fraction of the diagonal of the bounding box
+// Number that makes Poisson's equation positive definite, in units of 1 / area.
+constexpr double Shift = 1e-9;
+
+struct Equations
+{
+  std::vector<Eigen::Triplet<double>> Laplacian;
+  Eigen::VectorXd Masses; // area of each vertex
+};
+
+// Assemble the cotangent Laplacian, \cite Pinkall1993, and the areas.
+Equations assemble(const IntrinsicTriangulation& surface, Index numberOfVertices)
+{
+  Equations result;
+  result.Masses = Eigen::VectorXd::Zero(numberOfVertices);
+  result.Laplacian.reserve(12 * surface.Triangles.rows());
+  for (Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    const Vector3 cotangents = cotangentsOf(surface.Lengths.row(t));
+    const double area = areaOf(surface.Lengths.row(t));
+    for (int k = 0; k < 3; ++k)
+    {
+      const int i = surface.Triangles(t, (k + 1) % 3), j = surface.Triangles(t, (k + 2) % 3);
+      result.Masses[surface.Triangles(t, k)] += area / 3.0;
+      const double weight = 0.5 * cotangents[k];
+      if (i != j)
+      {
+        result.Laplacian.emplace_back(i, j, -weight);
+        result.Laplacian.emplace_back(j, i, -weight);
+        result.Laplacian.emplace_back(i, i, weight);
+        result.Laplacian.emplace_back(j, j, weight);
+      }
+    }
+  }
+  return result;
+}
+
+// Return factor * Laplacian + diagonal.
+SparseMatrix matrixOf(const Equations& equations, double factor, const Eigen::VectorXd& diagonal)
+{
+  const Index size = diagonal.size();
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(equations.Laplacian.size() + size);
+  for (const Eigen::Triplet<double>& entry : equations.Laplacian)
+  {
+    entries.emplace_back(entry.row(), entry.col(), factor * entry.value());
+  }
+  for (Index v = 0; v < size; ++v)
+  {
+    entries.emplace_back(static_cast<int>(v), static_cast<int>(v), diagonal[v]);
+  }
+  SparseMatrix matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+std::vector<int> partsOf(const Triangles& triangles, Index numberOfVertices)
+{
+  DisjointSets sets(numberOfVertices);
+  for (Index t = 0; t < triangles.rows(); ++t)
+  {
+    sets.unite(triangles(t, 0), triangles(t, 1));
+    sets.unite(triangles(t, 0), triangles(t, 2));
+  }
+  std::vector<int> parts(numberOfVertices);
+  for (Index v = 0; v < numberOfVertices; ++v)
+  {
+    parts[v] = sets.find(static_cast<int>(v));
+  }
+  return parts;
+}
+
+double diagonalOf(const Points& positions)
+{
+  return positions.rows() == 0
+    ? 0.0
+    : (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+}
+}
+
+//------------------------------------------------------------------------------
+HeatDistances::HeatDistances(const Mesh& mesh, const Run& run)
+{
+  Steps steps(run, { 0.2, 0.4, 0.4 });
+  const Index size = mesh.Positions.rows();
+  this->Surface = intrinsicDelaunay(mesh, steps.next());
+  this->Parts = partsOf(mesh.Triangles, size);
+  const Equations equations = assemble(this->Surface, size);
+  const double area = equations.Masses.sum();
+  // Vertices without area have equations of their own.
+  const double smallest = area > 0.0 ? 1e-12 * area / static_cast<double>(size) : 1.0;
+  const Eigen::VectorXd masses = equations.Masses.cwiseMax(smallest);
+  const double edge = this->Surface.Lengths.size() > 0 ? this->Surface.Lengths.mean() : 1.0,
+               root = std::max(edge, FinestTime * diagonalOf(mesh.Positions));
+  this->Factors.push_back(
+    factorize(matrixOf(equations, root * root, masses), mesh.Positions, 1, steps.next()));
+  this->Factors.push_back(factorize(
+    matrixOf(equations, 1.0, Shift / masses.sum() * masses), mesh.Positions, 1, steps.next()));
+}
+
+Eigen::VectorXd HeatDistances::from(const std::vector<int>& sources) const
+{
+  const auto size = static_cast<Index>(this->Parts.size());
+  Columns heat = Columns::Zero(size, 1);
+  std::vector<char> isReached(size, 0);
+  for (const int source : sources)
+  {
+    heat(source, 0) = 1.0;
+    isReached[this->Parts[source]] = 1;
+  }
+  this->Factors[0].solve(heat);
+  Columns potential = this->divergence(heat.col(0));
+  this->Factors[1].solve(potential);
+  // In each part, the smallest distance of a source is 0.
+  std::vector<double> lowest(size, std::numeric_limits<double>::infinity());
+  for (const int source : sources)
+  {
+    double& low = lowest[this->Parts[source]];
+    low = std::min(low, potential(source, 0));
+  }
+  Eigen::VectorXd distances(size);
+  for (Index v = 0; v < size; ++v)
+  {
+    distances[v] =
+      isReached[this->Parts[v]] ? std::max(0.0, potential(v, 0) - lowest[this->Parts[v]]) : -1.0;
+  }
+  for (const int source : sources)
+  {
+    distances[source] = 0.0;
+  }
+  return distances;
+}
+
+// Compute the divergence of unit vectors that point away from the sources, times -1,
+// \cite Crane2013 section 3.2.
+Eigen::VectorXd HeatDistances::divergence(const Eigen::VectorXd& heat) const
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(heat.size());
+  for (Index t = 0; t < this->Surface.Triangles.rows(); ++t)
+  {
+    const Vector3 lengths = this->Surface.Lengths.row(t);
+    const auto ids = this->Surface.Triangles.row(t);
+    const double area = areaOf(lengths);
+    if (!(area > 0.0))
+    {
+      continue;
+    }
+    // Corners in the plane of the triangle.
+    using Vector2 = Eigen::Vector2d;
+    const double x = (lengths[0] * lengths[0] + lengths[2] * lengths[2] - lengths[1] * lengths[1]) /
+      (2.0 * lengths[0]);
+    const Vector2 corners[] = { { 0.0, 0.0 }, { lengths[0], 0.0 }, { x, 2.0 * area / lengths[0] } };
+    // Heat can be very small. Divide it by the largest value of the triangle.
+    const double largest = std::max({ heat[ids[0]], heat[ids[1]], heat[ids[2]] });
+    if (!(largest > 0.0))
+    {
+      continue;
+    }
+    Vector2 gradient = Vector2::Zero();
+    Vector2 inward[3]; // perpendicular to the opposite edge, of the length of this edge
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector2 opposite = corners[(k + 2) % 3] - corners[(k + 1) % 3];
+      inward[k] = { -opposite.y(), opposite.x() };
+      gradient += heat[ids[k]] / largest * inward[k];
+    }
+    const double length = gradient.norm();
+    if (length > 0.0)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        result[ids[k]] -= 0.5 * gradient.dot(inward[k]) / length;
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<int> HeatDistances::nearestSources(
+  const std::vector<int>& sources, const Eigen::VectorXd& distances) const
+{
+  const Index size = distances.size();
+  std::vector<int> previous(size, -1), nearest(size, -1);
+  std::vector<double> least(size, std::numeric_limits<double>::infinity());
+  for (Index t = 0; t < this->Surface.Triangles.rows(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = this->Surface.Triangles(t, k), b = this->Surface.Triangles(t, (k + 1) % 3);
+      const double length = this->Surface.Lengths(t, k);
+      for (const auto& [from, to] : { std::pair(a, b), std::pair(b, a) })
+      {
+        if (distances[from] < distances[to] && distances[from] + length < least[to])
+        {
+          least[to] = distances[from] + length;
+          previous[to] = from;
+        }
+      }
+    }
+  }
+  for (std::size_t s = sources.size(); s-- > 0;)
+  {
+    nearest[sources[s]] = static_cast<int>(s);
+  }
+  std::vector<int> order(size);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(
+    order.begin(), order.end(), [&](int a, int b) { return distances[a] < distances[b]; });
+  for (const int v : order)
+  {
+    if (nearest[v] < 0 && previous[v] >= 0)
+    {
+      nearest[v] = nearest[previous[v]];
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+void addFarthestVertices(
+  const HeatDistances& surface, Index count, std::vector<int>& sources, const Run& run)
+{
+  Eigen::VectorXd distances = surface.from(sources);
+  for (Index i = 0; i < count; ++i)
+  {
+    Index farthest = 0;
+    if (!(distances.maxCoeff(&farthest) > 0.0))
+    {
+      break;
+    }
+    sources.push_back(static_cast<int>(farthest));
+    const Eigen::VectorXd ofLast = surface.from({ sources.back() });
+    distances = (ofLast.array() < 0.0).select(distances, distances.cwiseMin(ofLast));
+    run.report(static_cast<double>(i + 1) / static_cast<double>(count));
+  }
+  run.report(1.0);
+}
+}

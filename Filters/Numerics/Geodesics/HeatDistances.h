@@ -1,0 +1,62 @@
+/// Compute geodesic distances: lengths of shortest paths on a surface. The heat method,
+/// \cite Crane2013, solves two sparse systems of equations for each set of sources.
+
+#ifndef ConformalHeatDistances_h
+#define ConformalHeatDistances_h
+
+#include "Base/Run.h"
+#include "Base/Types.h"
+#include "Geodesics/IntrinsicTriangulation.h"
+#include "Linear/MultifrontalCholesky.h"
+#include "Mesh/Mesh.h"
+
+#include <vector>
+
+namespace conformal
+{
+/// Geodesic distances on a surface. The equations are factored once, for any number of sources.
+///
+/// Implementation note: equations are those of the intrinsic Delaunay triangulation, so that the
+/// method does not depend on the shapes of triangles. The time t of the heat flow is the square of
+/// the mean edge length, as in \cite Crane2013 section 3.2.4, but at least the square of 1/250 of
+/// the diagonal of the bounding box: on finer meshes, heat that is far from the sources would be
+/// below the smallest number of double precision.
+class HeatDistances
+{
+public:
+  /// @param[in] mesh  any triangles, also with borders; no triangle repeats a vertex
+  /// @throws NumericalFailure if the equations cannot be factored
+  /// @throws Aborted
+  explicit HeatDistances(const Mesh& mesh, const Run& run = {});
+
+  /// Compute the distance of each vertex from the nearest source.
+  /// @param[in] sources  at least one id of a vertex
+  /// @return #V distances, at least 0. The distance is -1 for vertices that are not connected with
+  ///   a source, such as vertices without triangles.
+  Eigen::VectorXd from(const std::vector<int>& sources) const;
+
+  /// Assign each vertex to its nearest source, from the distances of these sources. A vertex
+  /// belongs to the source of the neighbor that is next on the way to the source.
+  /// @return for each vertex, the position of its source in `sources`; -1 where the distance is -1
+  std::vector<int> nearestSources(
+    const std::vector<int>& sources, const Eigen::VectorXd& distances) const;
+
+private:
+  Eigen::VectorXd divergence(const Eigen::VectorXd& heat) const;
+
+  IntrinsicTriangulation Surface;
+  std::vector<int> Parts; // connected part of each vertex
+  // In this sequence, members are initialized.
+  std::vector<MultifrontalCholesky> Factors; // of the heat flow, and of Poisson's equation
+};
+
+/// Choose vertices that are far from each other: repeatedly the vertex with the largest distance
+/// from all sources so far, \cite Eldar1997.
+/// @param[in,out] sources  given sources, at least one. The chosen vertices are added. Fewer are
+///   added if no vertex is left.
+/// @param[in] count  number of vertices to add
+void addFarthestVertices(
+  const HeatDistances& surface, Index count, std::vector<int>& sources, const Run& run = {});
+}
+
+#endif

@@ -1,0 +1,315 @@
+#include "vtkSurfaceGeodesics.h"
+
+#include "Base/Steps.h"
+#include "Geodesics/HeatDistances.h"
+#include "Glue/Arrays.h"
+#include "Glue/Checks.h"
+#include "Glue/Meshes.h"
+#include "Glue/Points.h"
+#include "Glue/Run.h"
+#include "Search/PointTree.h"
+
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+vtkStandardNewMacro(vtkSurfaceGeodesics);
+
+namespace
+{
+// Surface whose vertices are its points.
+conformal::Mesh ToMesh(vtkPolyData* surface, const conformal::CoordinateFrame& frame)
+{
+  conformal::Mesh mesh;
+  mesh.Positions = glue::ToPoints(surface->GetPoints(), frame);
+  if (!mesh.Positions.allFinite())
+  {
+    throw std::invalid_argument("the surface has points that are not finite; remove them");
+  }
+  const conformal::Triangles all = glue::ToTriangles(surface);
+  mesh.Triangles.resize(all.rows(), 3);
+  conformal::Index kept = 0;
+  for (conformal::Index t = 0; t < all.rows(); ++t)
+  {
+    if (all(t, 0) != all(t, 1) && all(t, 1) != all(t, 2) && all(t, 2) != all(t, 0))
+    {
+      mesh.Triangles.row(kept++) = all.row(t);
+    }
+  }
+  mesh.Triangles.conservativeResize(kept, 3);
+  if (kept == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  return mesh;
+}
+
+// Ids of points that belong to triangles, in ascending order.
+std::vector<int> UsedPoints(const conformal::Mesh& mesh)
+{
+  std::vector<char> isUsed(mesh.Positions.rows(), 0);
+  for (const int id : mesh.Triangles.reshaped())
+  {
+    isUsed[id] = 1;
+  }
+  std::vector<int> used;
+  for (std::size_t v = 0; v < isUsed.size(); ++v)
+  {
+    if (isUsed[v])
+    {
+      used.push_back(static_cast<int>(v));
+    }
+  }
+  return used;
+}
+
+// List of distinct sources, in the sequence in which they are added.
+class SourceList
+{
+public:
+  explicit SourceList(const conformal::Mesh& mesh)
+    : Mesh(mesh)
+    , Used(UsedPoints(mesh))
+    , IsSource(mesh.Positions.rows(), 0)
+  {
+  }
+
+  void AddNearest(const conformal::Points& positions)
+  {
+    const conformal::Points used = this->Mesh.Positions(this->Used, Eigen::all);
+    const conformal::PointTree tree(used);
+    for (conformal::Index i = 0; i < positions.rows(); ++i)
+    {
+      if (!positions.row(i).allFinite())
+      {
+        throw std::invalid_argument(
+          "point " + std::to_string(i) + " of input port 1 is not finite; remove it");
+      }
+      this->Add(this->Used[tree.nearest(positions.row(i)).Id]);
+    }
+  }
+
+  void AddIds(const std::vector<vtkIdType>& ids)
+  {
+    for (const vtkIdType id : ids)
+    {
+      if (!std::binary_search(this->Used.begin(), this->Used.end(), id))
+      {
+        throw std::invalid_argument(
+          "source " + std::to_string(id) + " is not the id of a point of the surface's triangles");
+      }
+      this->Add(static_cast<int>(id));
+    }
+  }
+
+  void AddMarked(vtkPolyData* surface, const std::string& name)
+  {
+    if (name.empty())
+    {
+      return;
+    }
+    vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
+    if (!array || array->GetNumberOfComponents() != 1)
+    {
+      throw std::invalid_argument(
+        "the surface has no point array " + name + " with 1 component; set SourceArrayName");
+    }
+    for (const int v : this->Used)
+    {
+      const double value = array->GetComponent(v, 0);
+      if (value != 0.0 && !std::isnan(value))
+      {
+        this->Add(v);
+      }
+    }
+  }
+
+  // Add the point that is farthest from the center.
+  void AddOuter()
+  {
+    const conformal::Points used = this->Mesh.Positions(this->Used, Eigen::all);
+    conformal::Index farthest = 0;
+    (used.rowwise() - used.colwise().mean()).rowwise().squaredNorm().maxCoeff(&farthest);
+    this->Add(this->Used[farthest]);
+  }
+
+  const std::vector<int>& Ids() const { return this->Sources; }
+
+private:
+  void Add(int vertex)
+  {
+    if (!this->IsSource[vertex])
+    {
+      this->IsSource[vertex] = 1;
+      this->Sources.push_back(vertex);
+    }
+  }
+
+  const conformal::Mesh& Mesh;
+  std::vector<int> Used;
+  std::vector<char> IsSource;
+  std::vector<int> Sources;
+};
+
+// Return the sources that are given. If there are none, return the first of the farthest points,
+// and decrease the number of missing ones.
+std::vector<int> FindSources(const conformal::Mesh& mesh, vtkPolyData* surface,
+  const conformal::Points& picked, const std::vector<vtkIdType>& ids, const std::string& arrayName,
+  int& missing)
+{
+  SourceList list(mesh);
+  list.AddNearest(picked);
+  list.AddIds(ids);
+  list.AddMarked(surface, arrayName);
+  if (list.Ids().empty() && missing > 0)
+  {
+    list.AddOuter();
+    --missing;
+  }
+  if (list.Ids().empty())
+  {
+    throw std::invalid_argument("there are no sources; add points at input port 1, or set "
+                                "SourceArrayName or NumberOfFarthestPoints");
+  }
+  return list.Ids();
+}
+
+void AddDistances(vtkPointData* data, const Eigen::VectorXd& distances,
+  const std::vector<int>& nearest, const std::vector<int>& sources,
+  const conformal::CoordinateFrame& frame)
+{
+  std::vector<double> lengths(distances.begin(), distances.end());
+  glue::LengthsFromFrame(lengths.data(), distances.size(), frame, "the distances");
+  const vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("NearestSource");
+  ids->SetNumberOfValues(distances.size());
+  for (conformal::Index v = 0; v < distances.size(); ++v)
+  {
+    const bool isReached = nearest[v] >= 0;
+    lengths[v] = isReached ? lengths[v] : -1.0;
+    ids->SetValue(v, isReached ? sources[nearest[v]] : -1);
+  }
+  glue::AddNumbers(data, "GeodesicDistance", lengths);
+  data->AddArray(ids);
+}
+
+void SetSources(vtkPolyData* output, vtkPolyData* surface, const std::vector<int>& sources)
+{
+  const vtkNew<vtkPoints> points;
+  points->SetDataType(surface->GetPoints()->GetDataType());
+  const vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("SourceId");
+  output->AllocateExact(static_cast<vtkIdType>(sources.size()), 1);
+  for (const int source : sources)
+  {
+    const vtkIdType id = points->InsertNextPoint(surface->GetPoint(source));
+    output->InsertNextCell(VTK_VERTEX, 1, &id);
+    ids->InsertNextValue(source);
+  }
+  output->SetPoints(points);
+  output->GetPointData()->AddArray(ids);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSurfaceGeodesics::vtkSurfaceGeodesics()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesics::SetSourcesConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(1, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesics::SetSourcesData(vtkPointSet* sources)
+{
+  this->SetInputData(1, sources);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesics::AddSourceId(vtkIdType id)
+{
+  this->SourceIds.push_back(id);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesics::RemoveAllSourceIds()
+{
+  if (!this->SourceIds.empty())
+  {
+    this->SourceIds.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkSurfaceGeodesics::GetSources()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceGeodesics::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSurfaceGeodesics::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
+  const auto picked = glue::Held(vtkPointSet::GetData(inputVector[1]));
+  return glue::RunCore(this,
+    [&]()
+    {
+      if (glue::IsEmptyInput(this, surface, "the surface is empty; the output is empty"))
+      {
+        return;
+      }
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
+      const conformal::Mesh mesh = ToMesh(surface, frame);
+      int missing = this->NumberOfFarthestPoints;
+      std::vector<int> sources = FindSources(mesh, surface,
+        picked ? glue::ToPoints(picked->GetPoints(), frame) : conformal::Points(), this->SourceIds,
+        this->SourceArrayName, missing);
+      // Relative costs of the factorization, the farthest points, and the distances.
+      conformal::Steps steps(glue::RunOf(this), { 1.0, 0.1 * missing, 0.15 });
+      const conformal::HeatDistances heat(mesh, steps.next());
+      conformal::addFarthestVertices(heat, missing, sources, steps.next());
+      steps.next();
+      const Eigen::VectorXd distances = heat.from(sources);
+      const vtkNew<vtkPolyData> result, vertices;
+      result->ShallowCopy(surface);
+      AddDistances(
+        result->GetPointData(), distances, heat.nearestSources(sources, distances), sources, frame);
+      SetSources(vertices, surface, sources);
+      vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(vertices);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfSourceIds: " << this->SourceIds.size() << "\n";
+  os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
+  os << indent << "NumberOfFarthestPoints: " << this->NumberOfFarthestPoints << "\n";
+}

@@ -1,0 +1,154 @@
+#!/usr/bin/python3
+"""Measure errors and times of vtkSurfaceGeodesics.
+
+    PYTHONPATH=build/dev/python:Examples/Python /usr/bin/python3 Testing/Benchmarks/measure_geodesics.py \\
+      [SURFACE ...] [--picture geodesics.jpg]
+
+spheres   geodesic spheres, on which distances from a point are known exactly. The error is relative, as mean over all
+          other points. Seconds are CPU seconds: of the first source with the factorization, and of each further one.
+surfaces  files: mean relative difference from exact polyhedral distances of pygeodesic (MIT), if it is installed, from
+          three points each, of vtkSurfaceGeodesics and of vtkDijkstraGraphGeodesicPath (paths along edges).
+--picture draws a bear with distances from its nose, and with the cells of 30 farthest points.
+"""
+import argparse
+import pathlib
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
+
+import conformalsom
+from conformalsom.command import pictures, scan_files
+from helpers import builtin_figure, paper_models
+
+
+def sphere(frequency):
+    source = conformalsom.vtkGeodesicSphereSource()
+    source.SetFrequency(frequency)
+    return paper_models.run(source)
+
+
+def points_of(surface):
+    return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+
+
+def geodesics(surface, sources=(), farthest=0):
+    filter_ = conformalsom.vtkSurfaceGeodesics()
+    filter_.SetInputData(surface)
+    for source in sources:
+        filter_.AddSourceId(int(source))
+    filter_.SetNumberOfFarthestPoints(farthest)
+    filter_.Update()
+    return filter_.GetOutput()
+
+
+def distances_of(surface, source):
+    return vtk_to_numpy(geodesics(surface, [source]).GetPointData().GetArray("GeodesicDistance"))
+
+
+def seconds(work):
+    begin = time.process_time()
+    work()
+    return time.process_time() - begin
+
+
+def measure_spheres():
+    print("| points | mean error | largest error beyond 0.5 | first source, CPU s | further source, CPU s |")
+    print("| --- | --- | --- | --- | --- |")
+    for frequency in (16, 32, 48, 100):
+        surface = sphere(frequency)
+        points = points_of(surface)
+        errors = []
+        for source in (0, 7, len(points) // 2):
+            exact = 2 * np.arcsin(np.clip(np.linalg.norm(points - points[source], axis=1) / 2, 0, 1))
+            error = np.abs(distances_of(surface, source) - exact) / np.where(exact > 0, exact, 1)
+            errors.append((error[exact > 0].mean(), error[exact > 0.5].max()))
+        mean, largest = np.array(errors).max(axis=0)
+        first = seconds(lambda: geodesics(surface, [0]))
+        further = (seconds(lambda: geodesics(surface, [0], 10)) - first) / 10
+        print(f"| {len(points):,} | {100 * mean:.2f} % | {100 * largest:.2f} % | {first:.2f} | {further:.3f} |", flush=True)
+
+
+def along_edges(surface, source, targets):
+    path = vtkDijkstraGraphGeodesicPath()
+    path.SetInputData(surface)
+    path.SetStartVertex(int(source))
+    lengths = []
+    for target in targets:
+        path.SetEndVertex(int(target))
+        path.Update()
+        points = points_of(path.GetOutput())
+        lengths.append(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+    return np.array(lengths)
+
+
+def measure_files(paths):
+    try:
+        import pygeodesic.geodesic as exact_geodesic
+    except ImportError:
+        print("pygeodesic is not installed; surfaces are not measured")
+        return
+    print("| surface | points | vtkSurfaceGeodesics | vtkDijkstraGraphGeodesicPath |")
+    print("| --- | --- | --- | --- |")
+    for path in paths:
+        surface = paper_models.run(scan_files.scan_reader(str(path)))
+        points = points_of(surface)
+        triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        solver = exact_geodesic.PyGeodesicAlgorithmExact(points, triangles.astype(np.int32))
+        random = np.random.default_rng(1)
+        heat, edges = [], []
+        for source in random.choice(len(points), 3, replace=False):
+            exact, _ = solver.geodesicDistances(np.array([source]), None)
+            other = exact > 0
+            heat.append((np.abs(distances_of(surface, source) - exact)[other] / exact[other]).mean())
+            targets = random.choice(np.flatnonzero(other), 20, replace=False)
+            edges.append((np.abs(along_edges(surface, source, targets) - exact[targets]) / exact[targets]).mean())
+        print(f"| {path.name} | {len(points):,} | {100 * np.mean(heat):.2f} % | {100 * np.mean(edges):.1f} % |", flush=True)
+
+
+def draw(path):
+    bear = builtin_figure.figure_surface()
+    points = points_of(bear)
+    nose = int(points[:, 2].argmax())
+    scenes = []
+    for name, surface in (("GeodesicDistance", geodesics(bear, [nose])), ("NearestSource", geodesics(bear, [nose], 30))):
+        scenes.append(scene_of(surface, name))
+    pictures.write_side_by_side(path, scenes, 1200, 600)
+
+
+def scene_of(surface, name):
+    values = vtk_to_numpy(surface.GetPointData().GetArray(name))
+    data = surface.GetPointData()
+    if name == "GeodesicDistance":
+        bands = np.floor(40 * values / values.max()) % 2
+        colors = np.stack([235 - 150 * bands, 225 - 60 * values / values.max() - 60 * bands,
+                           160 + 80 * values / values.max()], axis=1)
+        label = "distance from the nose"
+    else:
+        ids = np.unique(values)
+        palette = np.random.default_rng(4).uniform(90, 245, (len(ids), 3))
+        colors = palette[np.searchsorted(ids, values)]
+        label = "cells of 31 points"
+    array = numpy_to_vtk(colors.astype(np.uint8), deep=True)
+    array.SetName("Color")
+    data.SetScalars(array)
+    actor = pictures.actor_of(surface)
+    actor.GetMapper().ScalarVisibilityOn()
+    return pictures.scene(actor, label, pictures.camera_on(surface, (0.3, 0.2, 1.0), (0.0, 1.0, 0.0), 1.0))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("surfaces", nargs="*", type=pathlib.Path)
+    parser.add_argument("--picture", metavar="FILE")
+    options = parser.parse_args()
+    if options.picture:
+        draw(options.picture)
+        return
+    measure_spheres()
+    measure_files(options.surfaces)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,43 @@
+#include "vtkSurfaceGeodesics.h"
+
+#include "FuzzFilter.h"
+#include "Properties.h"
+#include "Surfaces.h"
+
+#include "vtkPolyData.h"
+
+namespace cases
+{
+Case SurfaceGeodesics()
+{
+  using F = vtkSurfaceGeodesics;
+  Case all = CaseOf<F>("vtkSurfaceGeodesics");
+  const auto one = [](F* f) { f->SetNumberOfFarthestPoints(1); };
+  Mode farthest = { "farthest points", { Surface(BadPoints | BadIds) }, Set<F>(one) };
+  farthest.Properties = { Integer("NumberOfFarthestPoints", &F::SetNumberOfFarthestPoints),
+    Name("SourceArrayName", &F::SetSourceArrayName),
+    Values<F, vtkIdType>(
+      "SourceIds", ExtremeIds(), [](F* f, const vtkIdType& id) { f->AddSourceId(id); }) };
+  const Mode picked = { "picked points",
+    { Variant(BadPoints | BadIds), Places(BadPoints, "sources") } };
+  all.Modes = { farthest, picked };
+  all.Scaled = { Scaled<F>(
+    "MeasuresDistances",
+    [](F* f, double scale)
+    {
+      f->SetInputData(BumpyMesh(scale));
+      f->AddSourceId(5);
+    },
+    { { "GeodesicDistance", 1 } }, 1e-7) };
+  all.Progress = { Run<F>(
+    "many", []() { return Head(120); }, [](F* f) { f->SetNumberOfFarthestPoints(20); }) };
+  all.Fuzz = [](fuzz::FilterSource& source)
+  {
+    vtkNew<F> filter;
+    filter->SetInputDataObject(0, source.surface());
+    filter->SetNumberOfFarthestPoints(source.below(4));
+    fuzz::run(filter);
+  };
+  return all;
+}
+}
