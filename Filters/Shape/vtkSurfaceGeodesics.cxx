@@ -297,8 +297,7 @@ int vtkSurfaceGeodesics::RequestData(
       const Eigen::VectorXd distances = heat.from(sources);
       const vtkNew<vtkPolyData> result, vertices;
       result->ShallowCopy(surface);
-      AddDistances(
-        result->GetPointData(), distances, heat.nearestSources(sources, distances), sources, frame);
+      AddDistances(result->GetPointData(), distances, heat.nearestSources(sources), sources, frame);
       SetSources(vertices, surface, sources);
       vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(vertices);

@@ -29,8 +29,8 @@
  * Distances are computed by the heat method (K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in
  * Heat", ACM Transactions on Graphics 32 (2013)) on the intrinsic Delaunay triangulation (M. Fisher
  * et al., "An algorithm for the construction of intrinsic Delaunay triangulations", Computing 81
- * (2007)). Two systems of equations are factored once for each surface. On a sphere of 23,000
- * points, the mean error is 0.3 %. A vertex belongs to the nearest source of the neighbor that is
+ * (2007)). Two systems of equations are factored once for each surface. On a sphere of 100,000
+ * points, the mean error is 0.6 %. A vertex belongs to the nearest source of the neighbor that is
  * next on its path, so that borders of cells are exact to about one edge.
  *
  * vtkDijkstraGraphGeodesicPath measures paths along edges, which are longer by several percent.

@@ -8,7 +8,7 @@ spheres   geodesic spheres, on which distances from a point are known exactly. T
           other points. Seconds are CPU seconds: of the first source with the factorization, and of each further one.
 surfaces  files: mean relative difference from exact polyhedral distances of pygeodesic (MIT), if it is installed, from
           three points each, of vtkSurfaceGeodesics and of vtkDijkstraGraphGeodesicPath (paths along edges).
---picture draws a bear with distances from its nose, and with the cells of 30 farthest points.
+--picture draws a bear with distances from the tip of an ear, and with the cells of this point and 30 farthest points.
 """
 import argparse
 import pathlib
@@ -16,7 +16,7 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
+from vtkmodules.vtkFiltersModeling import vtkBandedPolyDataContourFilter, vtkDijkstraGraphGeodesicPath
 
 import conformalsom
 from conformalsom.command import pictures, scan_files
@@ -110,32 +110,43 @@ def measure_files(paths):
 def draw(path):
     bear = builtin_figure.figure_surface()
     points = points_of(bear)
-    nose = int(points[:, 2].argmax())
-    scenes = []
-    for name, surface in (("GeodesicDistance", geodesics(bear, [nose])), ("NearestSource", geodesics(bear, [nose], 30))):
-        scenes.append(scene_of(surface, name))
-    pictures.write_side_by_side(path, scenes, 1200, 600)
+    ear = int((points @ [0.3, 1.0, 0.0]).argmax())
+    pictures.write_side_by_side(path, [banded(geodesics(bear, [ear])), cells_of(geodesics(bear, [ear], 30))], 1200, 600)
 
 
-def scene_of(surface, name):
-    values = vtk_to_numpy(surface.GetPointData().GetArray(name))
-    data = surface.GetPointData()
-    if name == "GeodesicDistance":
-        bands = np.floor(40 * values / values.max()) % 2
-        colors = np.stack([235 - 150 * bands, 225 - 60 * values / values.max() - 60 * bands,
-                           160 + 80 * values / values.max()], axis=1)
-        label = "distance from the nose"
-    else:
-        ids = np.unique(values)
-        palette = np.random.default_rng(4).uniform(90, 245, (len(ids), 3))
-        colors = palette[np.searchsorted(ids, values)]
-        label = "cells of 31 points"
+def banded(surface, count=24):
+    """Bands of equal distance."""
+    largest = surface.GetPointData().GetArray("GeodesicDistance").GetRange()[1]
+    surface.GetPointData().SetActiveScalars("GeodesicDistance")
+    bands = vtkBandedPolyDataContourFilter()
+    bands.SetInputData(surface)
+    bands.GenerateValues(count + 1, 0.0, 1.0001 * largest)
+    bands.SetScalarModeToIndex()
+    bands.Update()
+    index = vtk_to_numpy(bands.GetOutput().GetCellData().GetScalars())
+    far, odd = index / count, index % 2
+    return scene_of(bands.GetOutput(), bands.GetOutput().GetCellData(), "distance from the tip of an ear",
+                    np.stack([240 - 90 * odd, 225 - 90 * far - 50 * odd, 150 + 90 * far], axis=1))
+
+
+def cells_of(surface):
+    nearest = vtk_to_numpy(surface.GetPointData().GetArray("NearestSource"))
+    ids = np.unique(nearest)
+    palette = np.random.default_rng(4).uniform(90, 245, (len(ids), 3))
+    return scene_of(surface, surface.GetPointData(), f"nearest of {len(ids)} points",
+                    palette[np.searchsorted(ids, nearest)])
+
+
+def scene_of(surface, data, label, colors):
     array = numpy_to_vtk(colors.astype(np.uint8), deep=True)
     array.SetName("Color")
     data.SetScalars(array)
     actor = pictures.actor_of(surface)
-    actor.GetMapper().ScalarVisibilityOn()
-    return pictures.scene(actor, label, pictures.camera_on(surface, (0.3, 0.2, 1.0), (0.0, 1.0, 0.0), 1.0))
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    if data is surface.GetCellData():
+        mapper.SetScalarModeToUseCellData()
+    return pictures.scene(actor, label, pictures.camera_on(surface, (0.0, 0.0, 1.0), (0.0, 1.0, 0.0), 1.0))
 
 
 def main():

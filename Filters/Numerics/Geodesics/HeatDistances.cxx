@@ -13,9 +13,11 @@ namespace conformal
 {
 namespace
 {
-constexpr double FinestTime = 1.0 / 250.0; // fraction of the diagonal of the bounding box
+// Meshes with fewer vertices are divided. The largest ones then have less than four times as many.
+constexpr Index FewVertices = 25000;
+constexpr double FinestTime = 1.0 / 400.0; // fraction of the largest distance
 // Number that makes Poisson's equation positive definite, in units of 1 / area.
-constexpr double Shift = 1e-9;
+constexpr double Shift = 1e-6;
 
 struct Equations
 {
@@ -85,11 +87,91 @@ std::vector<int> partsOf(const Triangles& triangles, Index numberOfVertices)
   return parts;
 }
 
-double diagonalOf(const Points& positions)
+// Divide each triangle into four at the midpoints of its edges. The old vertices come first.
+Mesh quartered(const Mesh& mesh)
 {
-  return positions.rows() == 0
-    ? 0.0
-    : (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+  std::vector<std::pair<int, int>> edges;
+  const auto edgeOf = [&](Index t, int k) {
+    return std::minmax({ mesh.Triangles(t, k), mesh.Triangles(t, (k + 1) % 3) });
+  };
+  for (Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.emplace_back(edgeOf(t, k));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const Index size = mesh.Positions.rows(), count = static_cast<Index>(edges.size());
+  Mesh result;
+  result.Positions.resize(size + count, 3);
+  result.Positions.topRows(size) = mesh.Positions;
+  for (Index e = 0; e < count; ++e)
+  {
+    result.Positions.row(size + e) =
+      0.5 * (mesh.Positions.row(edges[e].first) + mesh.Positions.row(edges[e].second));
+  }
+  result.Triangles.resize(4 * mesh.Triangles.rows(), 3);
+  for (Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const auto corners = mesh.Triangles.row(t);
+    int middles[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto found =
+        std::lower_bound(edges.begin(), edges.end(), std::pair<int, int>(edgeOf(t, k)));
+      middles[k] = static_cast<int>(size + (found - edges.begin()));
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      result.Triangles.row(4 * t + k) << corners[k], middles[k], middles[(k + 2) % 3];
+    }
+    result.Triangles.row(4 * t + 3) << middles[0], middles[1], middles[2];
+  }
+  return result;
+}
+
+// Follow paths with few edges from a vertex to all others of its part. Return the vertex with the
+// longest path.
+int farthestFrom(
+  const Mesh& mesh, const Adjacency& neighbors, int from, std::vector<double>& lengths)
+{
+  int farthest = from;
+  lengths[from] = 0.0;
+  std::vector<int> queue = { from };
+  for (std::size_t i = 0; i < queue.size(); ++i)
+  {
+    const int v = queue[i];
+    farthest = lengths[v] > lengths[farthest] ? v : farthest;
+    for (const int* u = neighbors.begin(v); u != neighbors.end(v); ++u)
+    {
+      if (lengths[*u] < 0.0)
+      {
+        lengths[*u] = lengths[v] + (mesh.Positions.row(*u) - mesh.Positions.row(v)).norm();
+        queue.push_back(*u);
+      }
+    }
+  }
+  return farthest;
+}
+
+// Estimate the largest distance between two vertices of a part, by the length of a path.
+double spanOf(const Mesh& mesh, const std::vector<int>& parts)
+{
+  const Index size = mesh.Positions.rows();
+  const Adjacency neighbors = vertexNeighbors(mesh.Triangles, size);
+  std::vector<double> fromFirst(size, -1.0), fromFar(size, -1.0);
+  double span = 0.0;
+  for (int v = 0; v < static_cast<int>(size); ++v)
+  {
+    if (parts[v] == v) // the first vertex of a part
+    {
+      const int far = farthestFrom(mesh, neighbors, v, fromFirst);
+      span = std::max(span, fromFar[farthestFrom(mesh, neighbors, far, fromFar)]);
+    }
+  }
+  return span;
 }
 }
 
@@ -97,23 +179,34 @@ double diagonalOf(const Points& positions)
 HeatDistances::HeatDistances(const Mesh& mesh, const Run& run)
 {
   Steps steps(run, { 0.2, 0.4, 0.4 });
-  const Index size = mesh.Positions.rows();
-  this->Surface = intrinsicDelaunay(mesh, steps.next());
-  this->Parts = partsOf(mesh.Triangles, size);
+  Mesh fine = mesh;
+  while (fine.Positions.rows() < FewVertices && fine.Triangles.rows() > 0)
+  {
+    fine = quartered(fine);
+  }
+  const Index size = fine.Positions.rows();
+  this->NumberOfVertices = mesh.Positions.rows();
+  this->Surface = intrinsicDelaunay(fine, steps.next());
+  this->Parts = partsOf(fine.Triangles, size);
   const Equations equations = assemble(this->Surface, size);
   const double area = equations.Masses.sum();
   // Vertices without area have equations of their own.
-  const double smallest = area > 0.0 ? 1e-12 * area / static_cast<double>(size) : 1.0;
+  const double smallest = area > 0.0 ? 1e-7 * area / static_cast<double>(size) : 1.0;
   const Eigen::VectorXd masses = equations.Masses.cwiseMax(smallest);
   const double edge = this->Surface.Lengths.size() > 0 ? this->Surface.Lengths.mean() : 1.0,
-               root = std::max(edge, FinestTime * diagonalOf(mesh.Positions));
+               root = std::max(edge, FinestTime * spanOf(fine, this->Parts));
   this->Factors.push_back(
-    factorize(matrixOf(equations, root * root, masses), mesh.Positions, 1, steps.next()));
+    factorize(matrixOf(equations, root * root, masses), fine.Positions, 1, steps.next()));
   this->Factors.push_back(factorize(
-    matrixOf(equations, 1.0, Shift / masses.sum() * masses), mesh.Positions, 1, steps.next()));
+    matrixOf(equations, 1.0, Shift / masses.sum() * masses), fine.Positions, 1, steps.next()));
 }
 
 Eigen::VectorXd HeatDistances::from(const std::vector<int>& sources) const
+{
+  return this->fineDistances(sources).head(this->NumberOfVertices);
+}
+
+Eigen::VectorXd HeatDistances::fineDistances(const std::vector<int>& sources) const
 {
   const auto size = static_cast<Index>(this->Parts.size());
   Columns heat = Columns::Zero(size, 1);
@@ -191,9 +284,9 @@ Eigen::VectorXd HeatDistances::divergence(const Eigen::VectorXd& heat) const
   return result;
 }
 
-std::vector<int> HeatDistances::nearestSources(
-  const std::vector<int>& sources, const Eigen::VectorXd& distances) const
+std::vector<int> HeatDistances::nearestSources(const std::vector<int>& sources) const
 {
+  const Eigen::VectorXd distances = this->fineDistances(sources);
   const Index size = distances.size();
   std::vector<int> previous(size, -1), nearest(size, -1);
   std::vector<double> least(size, std::numeric_limits<double>::infinity());
@@ -228,6 +321,7 @@ std::vector<int> HeatDistances::nearestSources(
       nearest[v] = nearest[previous[v]];
     }
   }
+  nearest.resize(this->NumberOfVertices);
   return nearest;
 }
 

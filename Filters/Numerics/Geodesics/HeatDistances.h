@@ -17,10 +17,11 @@ namespace conformal
 /// Geodesic distances on a surface. The equations are factored once, for any number of sources.
 ///
 /// Implementation note: equations are those of the intrinsic Delaunay triangulation, so that the
-/// method does not depend on the shapes of triangles. The time t of the heat flow is the square of
-/// the mean edge length, as in \cite Crane2013 section 3.2.4, but at least the square of 1/250 of
-/// the diagonal of the bounding box: on finer meshes, heat that is far from the sources would be
-/// below the smallest number of double precision.
+/// method does not depend on the shapes of triangles. A mesh of less than 25,000 vertices is
+/// divided into smaller triangles of the same surface, since errors are proportional to the length
+/// of edges. The time t of the heat flow is the square of the mean edge length, as in \cite
+/// Crane2013 section 3.2.4, but at least the square of 1/400 of the longest path: on finer meshes,
+/// heat that is far from the sources would be below the smallest number of double precision.
 class HeatDistances
 {
 public:
@@ -35,18 +36,18 @@ public:
   ///   a source, such as vertices without triangles.
   Eigen::VectorXd from(const std::vector<int>& sources) const;
 
-  /// Assign each vertex to its nearest source, from the distances of these sources. A vertex
-  /// belongs to the source of the neighbor that is next on the way to the source.
+  /// Assign each vertex to its nearest source. A vertex belongs to the source of the neighbor that
+  /// is next on the way to the source.
   /// @return for each vertex, the position of its source in `sources`; -1 where the distance is -1
-  std::vector<int> nearestSources(
-    const std::vector<int>& sources, const Eigen::VectorXd& distances) const;
+  std::vector<int> nearestSources(const std::vector<int>& sources) const;
 
 private:
   Eigen::VectorXd divergence(const Eigen::VectorXd& heat) const;
+  Eigen::VectorXd fineDistances(const std::vector<int>& sources) const;
 
+  Index NumberOfVertices = 0; // of the mesh that was given, which come first
   IntrinsicTriangulation Surface;
-  std::vector<int> Parts; // connected part of each vertex
-  // In this sequence, members are initialized.
+  std::vector<int> Parts;                    // connected part of each vertex
   std::vector<MultifrontalCholesky> Factors; // of the heat flow, and of Poisson's equation
 };
 

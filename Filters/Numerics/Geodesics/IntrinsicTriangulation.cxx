@@ -15,7 +15,7 @@ namespace
 // Tolerance of the sum of both cotangents, below which an edge is flipped.
 constexpr double Tolerance = 1e-9;
 // Smallest excess of the sum of two edges over the third one, in mean edge lengths.
-constexpr double MinimumExcess = 1e-6;
+constexpr double MinimumExcess = 1e-5;
 
 // Edge of a triangle: triangle * 3 + corner at which the edge starts.
 using Side = int;
