@@ -1,6 +1,7 @@
 #include "vtkMapLabels.h"
 
 #include "Base/Steps.h"
+#include "Body/MapAreas.h"
 #include "Body/MapLabels.h"
 #include "Glue/Arrays.h"
 #include "Glue/Meshes.h"
@@ -172,7 +173,7 @@ int vtkMapLabels::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   conformal::MapImage map{ static_cast<conformal::MapProjection>(this->Projection),
-    this->CentralLongitude, {} };
+    this->CentralLongitude, {}, this->CapsuleAspect };
   const std::string name = this->ArrayName;
   return glue::RunCore(this,
     [&]()
@@ -191,6 +192,7 @@ int vtkMapLabels::RequestData(
       const std::vector<int> labels = ReadLabels(image, name);
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh body = glue::CopyMapped(surface, frame);
+      map.CapsuleAspect = conformal::capsuleAspectOf(body, map.Projection, map.CapsuleAspect);
       const conformal::MapLabels measured =
         conformal::measureMapLabels(body, map, labels, steps.next());
       const vtkNew<vtkPolyData> result;
@@ -207,9 +209,10 @@ int vtkMapLabels::RequestData(
 void vtkMapLabels::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const projections[] = { "Equirectangular", "LambertAzimuthal", "Mollweide",
-    "PeirceQuincuncial", "Mercator" };
+    "PeirceQuincuncial", "Mercator", "Capsule" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "Projection: " << projections[this->Projection] << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";
+  os << indent << "CapsuleAspect: " << this->CapsuleAspect << "\n";
 }

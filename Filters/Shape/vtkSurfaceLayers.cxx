@@ -3,6 +3,7 @@
 #include "Base/Steps.h"
 #include "Body/BodyCoordinates.h"
 #include "Body/BodyRelief.h"
+#include "Body/MapAreas.h"
 #include "Glue/Arrays.h"
 #include "Glue/LayerMaps.h"
 #include "Glue/Meshes.h"
@@ -199,7 +200,7 @@ int vtkSurfaceLayers::RequestData(
   LayerProperties properties = { { this->DepthRange[0], this->DepthRange[1] },
     { this->SummaryRange[0], this->SummaryRange[1] }, this->NumberOfLayers, this->Axis == LONG_AXIS,
     { static_cast<conformal::MapProjection>(this->Projection), this->CentralLongitude,
-      { this->ImageSize[0], this->ImageSize[1] } } };
+      { this->ImageSize[0], this->ImageSize[1] }, this->CapsuleAspect } };
   const std::string name = this->ArrayName;
   const int component = this->Component;
   return glue::RunCore(this,
@@ -217,6 +218,8 @@ int vtkSurfaceLayers::RequestData(
       const vtkNew<vtkPolyData> result;
       const glue::LayeredSurface layered =
         MakeLayers(this, surface, properties, frame, result, steps.next());
+      properties.Map.CapsuleAspect = conformal::capsuleAspectOf(
+        layered.Mesh, properties.Map.Projection, properties.Map.CapsuleAspect);
       const conformal::LayerSampler sampler(
         volume, layered.Depths, properties.Summary[0], properties.Summary[1]);
       glue::AddLayers(result, layered, sampler, frame, steps.next());
@@ -233,7 +236,7 @@ int vtkSurfaceLayers::RequestData(
 void vtkSurfaceLayers::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const projections[] = { "Equirectangular", "LambertAzimuthal", "Mollweide",
-    "PeirceQuincuncial", "Mercator" };
+    "PeirceQuincuncial", "Mercator", "Capsule" };
   const auto print = [&](const char* name, const auto* values)
   { os << indent << name << ": (" << values[0] << ", " << values[1] << ")\n"; };
   this->Superclass::PrintSelf(os, indent);
@@ -245,5 +248,6 @@ void vtkSurfaceLayers::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Axis: " << (this->Axis == LONG_AXIS ? "LongAxis" : "MapAxis") << "\n";
   os << indent << "Projection: " << projections[this->Projection] << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";
+  os << indent << "CapsuleAspect: " << this->CapsuleAspect << "\n";
   print("ImageSize", this->ImageSize);
 }

@@ -130,6 +130,73 @@ def measure_sphere(title, balance, surface):
           f"{np.ptp(logarithm):.1f} |", flush=True)
 
 
+def with_long_axis(surface):
+    """The surface with its long axis from pole to pole, and true radii."""
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    size = np.ptp(points, axis=0).max()
+    volume = vtkImageData()
+    volume.SetDimensions(3, 3, 3)
+    volume.SetOrigin(points.mean(axis=0) - size)
+    volume.SetSpacing(size, size, size)
+    values = numpy_to_vtk(np.zeros(27, dtype=np.float32), deep=True)
+    values.SetName("Nothing")
+    volume.GetPointData().SetScalars(values)
+    layers = conformalsom.vtkSurfaceLayers()
+    layers.SetInputData(surface)
+    layers.SetVolumeData(volume)
+    layers.SetAxisToLongAxis()
+    layers.SetNumberOfLayers(1)
+    layers.SetDepthRange(-1e-9, 1e-9)
+    layers.SetSummaryRange(-1.0, 1.0)
+    layers.SetImageSize(8, 8)
+    with heard(layers) as messages:
+        layers.Update()
+    if messages.errors:
+        return None
+    return layers.GetOutput()
+
+
+def measure_map(surface, projection, size):
+    """The ratio of the scales between which pixels have 90 percent of the area, the area that is not on the map, and
+    the aspect of the capsule. The area of all pixels is that of the body, if all of it is on the map."""
+    image = conformalsom.vtkBodyMapImage()
+    image.SetInputData(surface)
+    image.SetArrayName("SpherePosition")
+    getattr(image, f"SetProjectionTo{projection}")()
+    image.SetImageSize(*size)
+    image.SetGraticuleSpacing(0.0)
+    image.GenerateAreaScaleOn()
+    image.Update()
+    low, high = image.GetOutput().GetFieldData().GetArray("AreaScaleRange").GetTuple(0)
+    return high / low, field(image.GetOutput(), "CapsuleAspect")
+
+
+def beyond_mercator(surface):
+    """Fraction of the body beyond latitudes of 85.05 degrees."""
+    z = vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition"))
+    t = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    middles = z[t].mean(axis=1)
+    latitude = np.degrees(np.arctan2(np.abs(middles[:, 2]), np.hypot(middles[:, 0], middles[:, 1])))
+    areas = areas_of(surface)
+    return areas[latitude > 85.0511].sum() / areas.sum()
+
+
+def measure_maps(surfaces):
+    print("\n| body | AreaBalance | Mercator | beyond Mercator | Equirectangular | Mollweide | Capsule | aspect |\n"
+          + "| --- " * 8 + "|")
+    for title, balance, surface in surfaces:
+        turned = with_long_axis(surface)
+        if turned is None:
+            print(f"| {title} | {balance} | the long axis is not found |")
+            continue
+        ratios = [measure_map(turned, projection, size) for projection, size in (
+            ("Mercator", (400, 400)), ("Equirectangular", (600, 300)), ("Mollweide", (600, 300)),
+            ("Capsule", (300, 900)))]
+        texts = [f"{ratio:.3g}" for ratio, _ in ratios]
+        print(f"| {title} | {balance} | {texts[0]} | {100.0 * beyond_mercator(turned):.0f} % | {texts[1]} | {texts[2]} | "
+              f"{texts[3]} | {ratios[3][1]:.2f} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", nargs="?", metavar="FOLDER")
@@ -146,6 +213,7 @@ def main():
                 continue
             measure_sphere(title, balance, surface)
             surfaces.append((title, balance, surface))
+    measure_maps(surfaces)
 
 
 if __name__ == "__main__":

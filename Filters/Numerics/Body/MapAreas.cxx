@@ -90,6 +90,10 @@ double findCapsuleAspect(const MappedMesh& body, const Run& run)
 double capsuleAspectOf(
   const MappedMesh& body, MapProjection projection, double aspect, const Run& run)
 {
+  if (!std::isfinite(aspect))
+  {
+    throw std::invalid_argument("CapsuleAspect must be finite");
+  }
   if (projection != MapProjection::Capsule)
   {
     return 1.0;
