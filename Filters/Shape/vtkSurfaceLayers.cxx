@@ -37,7 +37,7 @@ struct LayerProperties
 {
   Range Depths, Summary;
   int NumberOfLayers;
-  bool IsLongAxis;
+  int Axis;
   conformal::MapImage Map;
 };
 
@@ -103,12 +103,13 @@ glue::LayeredSurface MakeLayers(vtkSurfaceLayers* self, vtkPolyData* surface,
   glue::PassClosedMesh(surface, closed, frame, output);
   layered.Mesh.SpherePositions = glue::ToSpherePositions(output);
   const conformal::Run axisRun = steps.next();
-  if (properties.IsLongAxis)
+  if (properties.Axis != vtkSurfaceLayers::MAP_AXIS)
   {
     const conformal::ReferenceEllipsoid reference = conformal::referenceEllipsoid(layered.Mesh);
     conformal::BodyCoordinatesOptions axis;
     axis.Center = reference.Center;
     axis.RotationAxis = reference.Axes.col(0);
+    axis.UseEnds = properties.Axis == vtkSurfaceLayers::ENDS;
     layered.Mesh.SpherePositions =
       conformal::findBodyCoordinates(layered.Mesh, axis, axisRun).SpherePositions;
     glue::AddVectors(
@@ -198,7 +199,7 @@ int vtkSurfaceLayers::RequestData(
   vtkImageData* stack = vtkImageData::GetData(outputVector, 1);
   vtkImageData* summary = vtkImageData::GetData(outputVector, 2);
   LayerProperties properties = { { this->DepthRange[0], this->DepthRange[1] },
-    { this->SummaryRange[0], this->SummaryRange[1] }, this->NumberOfLayers, this->Axis == LONG_AXIS,
+    { this->SummaryRange[0], this->SummaryRange[1] }, this->NumberOfLayers, this->Axis,
     { static_cast<conformal::MapProjection>(this->Projection), this->CentralLongitude,
       { this->ImageSize[0], this->ImageSize[1] }, this->CapsuleAspect } };
   const std::string name = this->ArrayName;
@@ -245,7 +246,8 @@ void vtkSurfaceLayers::PrintSelf(ostream& os, vtkIndent indent)
   print("DepthRange", this->DepthRange);
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   print("SummaryRange", this->SummaryRange);
-  os << indent << "Axis: " << (this->Axis == LONG_AXIS ? "LongAxis" : "MapAxis") << "\n";
+  static const char* const axes[] = { "MapAxis", "LongAxis", "Ends" };
+  os << indent << "Axis: " << axes[this->Axis] << "\n";
   os << indent << "Projection: " << projections[this->Projection] << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";
   os << indent << "CapsuleAspect: " << this->CapsuleAspect << "\n";

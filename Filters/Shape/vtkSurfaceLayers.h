@@ -76,7 +76,8 @@ public:
   enum Axes
   {
     MAP_AXIS = 0,
-    LONG_AXIS = 1
+    LONG_AXIS = 1,
+    ENDS = 2
   };
 
   enum Projections
@@ -147,12 +148,15 @@ public:
    * Axis of the maps, from the south pole to the north pole. MAP_AXIS (default): as the array
    * "SpherePosition" is, such as after vtkBodyMap. LONG_AXIS: the longest axis of inertia of the
    * body, such as the head-tail axis of an embryo. The ends of this axis are moved to the poles, as
-   * by vtkBodyMap; the array "SpherePosition" of the output is changed accordingly.
+   * by vtkBodyMap; the array "SpherePosition" of the output is changed accordingly. ENDS: the
+   * two points that are farthest apart along the surface are moved to the poles. Use ENDS for bent
+   * bodies, such as a gut, whose ends are not on a straight axis.
    */
-  vtkSetClampMacro(Axis, int, MAP_AXIS, LONG_AXIS);
+  vtkSetClampMacro(Axis, int, MAP_AXIS, ENDS);
   vtkGetMacro(Axis, int);
   void SetAxisToMapAxis() { this->SetAxis(MAP_AXIS); }
   void SetAxisToLongAxis() { this->SetAxis(LONG_AXIS); }
+  void SetAxisToEnds() { this->SetAxis(ENDS); }
   ///@}
 
   ///@{
@@ -162,8 +166,8 @@ public:
    * northern hemisphere is left, and the southern is right, 2 : 1. MOLLWEIDE: preserves areas of
    * the sphere; an ellipse, 2 : 1. PEIRCE_QUINCUNCIAL: preserves angles, except at four points, 1 :
    * 1. MERCATOR: preserves angles, and ends at latitudes of 85.05 degrees, 1 : 1. CAPSULE: for long
-   * bodies with Axis LONG_AXIS; see CapsuleAspect. The map has square pixels, and is in the middle
-   * of the picture.
+   * bodies with Axis LONG_AXIS or ENDS; see CapsuleAspect. The map has square pixels, and is in the
+   * middle of the picture.
    */
   vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, CAPSULE);
   vtkGetMacro(Projection, int);

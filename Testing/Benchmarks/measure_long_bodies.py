@@ -11,7 +11,7 @@ others are marked by *.
     sphere    angles: mean and 95 % of the quasi-conformal error K over the area (1 is none), flipped triangles, tier of
               vtkGlobalConformalMap, and the logarithm of the ratio of the largest to the smallest area of triangles on
               the sphere over that on the body.
-    maps      the areas that pixels show over their mean, on maps with the long axis: the range that has the middle 90
+    maps      the areas that pixels show over their mean, on maps with Axis ENDS: the range that has the middle 90
               percent of the body's area, as a ratio of both ends. 1.0 if all pixels show equal areas. Also the
               fraction of the body that is not on the map, and the aspect of the capsule.
 """
@@ -130,8 +130,8 @@ def measure_sphere(title, balance, surface):
           f"{np.ptp(logarithm):.1f} |", flush=True)
 
 
-def with_long_axis(surface):
-    """The surface with its long axis from pole to pole, and true radii."""
+def with_ends(surface):
+    """The surface with its ends at the poles."""
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     size = np.ptp(points, axis=0).max()
     volume = vtkImageData()
@@ -144,7 +144,7 @@ def with_long_axis(surface):
     layers = conformalsom.vtkSurfaceLayers()
     layers.SetInputData(surface)
     layers.SetVolumeData(volume)
-    layers.SetAxisToLongAxis()
+    layers.SetAxisToEnds()
     layers.SetNumberOfLayers(1)
     layers.SetDepthRange(-1e-9, 1e-9)
     layers.SetSummaryRange(-1.0, 1.0)
@@ -185,9 +185,9 @@ def measure_maps(surfaces):
     print("\n| body | AreaBalance | Mercator | beyond Mercator | Equirectangular | Mollweide | Capsule | aspect |\n"
           + "| --- " * 8 + "|")
     for title, balance, surface in surfaces:
-        turned = with_long_axis(surface)
+        turned = with_ends(surface)
         if turned is None:
-            print(f"| {title} | {balance} | the long axis is not found |")
+            print(f"| {title} | {balance} | the ends are not found |")
             continue
         ratios = [measure_map(turned, projection, size) for projection, size in (
             ("Mercator", (400, 400)), ("Equirectangular", (600, 300)), ("Mollweide", (600, 300)),
