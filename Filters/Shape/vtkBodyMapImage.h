@@ -91,10 +91,9 @@ public:
    * (default): longitude and latitude, 2 : 1. LAMBERT_AZIMUTHAL: preserves areas; the northern
    * hemisphere is left, and the southern is right, 2 : 1. MOLLWEIDE: preserves areas; the map is an
    * ellipse, 2 : 1. PEIRCE_QUINCUNCIAL: preserves angles, except at four points of the equator; the
-   * map is a square with the north pole in the middle and the south pole in its corners, 1 : 1.
-   * MERCATOR: preserves angles; the map ends at latitudes of 85.05 degrees, 1 : 1. CAPSULE: for
-   * bodies that are long along their axis; see CapsuleAspect. The map has square pixels, and is in
-   * the middle of the image.
+   * north pole is in the middle, and the south pole in the corners, 1 : 1. MERCATOR: preserves
+   * angles; the map ends at latitudes of 85.05 degrees, 1 : 1. CAPSULE: for long bodies; see
+   * CapsuleAspect.
    */
   vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, CAPSULE);
   vtkGetMacro(Projection, int);
@@ -134,7 +133,7 @@ public:
   /**
    * Ratio of length to diameter of the capsule, a cylinder with round ends, for Projection CAPSULE.
    * The sphere is mapped conformally to the capsule. The map shows the cylinder as a rectangle, and
-   * the ends as disks above and below. On a body of this shape, pixels show equal areas. With 0
+   * the ends as disks above and below, in the middle of the image. On a body of this shape, pixels show equal areas. With 0
    * (default), the aspect is that with which areas differ least from those of the body; the field
    * data "CapsuleAspect" of the map is its value. Set the aspect to draw several bodies alike. In
    * [1, 25]; values below 1 select the aspect automatically.

@@ -4,6 +4,7 @@
 #include "Body/MapAreas.h"
 #include "Body/MapOutlines.h"
 #include "Glue/Arrays.h"
+#include "Glue/Checks.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
@@ -68,10 +69,7 @@ void AddOutlines(vtkPolyData* drawn, vtkCellArray* cells, bool arePolygons, int 
 DrawnOutlines ReadOutlines(vtkPolyData* drawn, double height, bool isDown)
 {
   DrawnOutlines all;
-  if (!glue::HasCellIds(drawn))
-  {
-    throw std::invalid_argument("the outlines have cells with invalid point ids");
-  }
+  glue::RequireCellIds(drawn);
   if (drawn->GetNumberOfCells() > std::numeric_limits<int>::max() ||
     drawn->GetNumberOfPoints() > std::numeric_limits<int>::max())
   {

@@ -16,7 +16,7 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 

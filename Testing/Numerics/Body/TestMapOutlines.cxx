@@ -65,8 +65,8 @@ TEST(MapOutlines, LinesAndRectanglesOfTheSphereConverge)
   {
     const MappedMesh ball = sphere(frequency);
     const auto results = measureMapOutlines(ball, Degrees,
-      { { { place(-180, 0), place(180, 0) }, false },  // equator
-        { { place(20, -90), place(20, 90) }, false },  // meridian
+      { { { place(-180, 0), place(180, 0) }, false },   // equator
+        { { place(20, -90), place(20, 90) }, false },   // meridian
         { { place(-180, 60), place(180, 60) }, false }, // parallel
         { { place(10, 20), place(50, 20), place(50, 60), place(10, 60) }, true } });
     const double rectangle = 40.0 * Degree * (std::sin(60 * Degree) - std::sin(20 * Degree));
@@ -86,16 +86,16 @@ TEST(MapOutlines, LinesAndRectanglesOfTheSphereConverge)
   }
 }
 
-// A straight line of a Mercator map has a constant angle from north: its length is the difference of
-// latitudes over the cosine. The map is conformal, so that angles are those of the image.
+// A straight line of a Mercator map has a constant angle from north: its length is the difference
+// of latitudes over the cosine. The map is conformal, so that angles are those of the image.
 TEST(MapOutlines, RhumbLinesAndAnglesAreKnown)
 {
-  const MappedMesh ball = sphere(80);
+  const MappedMesh ball = sphere(50);
   const MapImage image = { MapProjection::Mercator, 0.0, { 1000, 1000 } };
   const double high = mercator(65.0), low = mercator(-30.0), across = 400.0;
   const auto line = measured(ball, image, { { 300.0, low }, { 300.0 + across, high } }, false);
   const double bearing = std::atan2(across, high - low);
-  EXPECT_NEAR(line.Length / (95.0 * Degree / std::cos(bearing)), 1.0, 2e-4);
+  EXPECT_NEAR(line.Length / (95.0 * Degree / std::cos(bearing)), 1.0, 3e-4);
   const std::vector<Vector2> corners = { { 200, 300 }, { 700, 420 }, { 600, 700 }, { 450, 500 },
     { 300, 750 } };
   for (const bool isReversed : { false, true })
@@ -116,7 +116,8 @@ TEST(MapOutlines, RhumbLinesAndAnglesAreKnown)
         EXPECT_EQ(polygon.Angles[i], 0.0);
         continue;
       }
-      const Vector2 here = drawn[id], a = drawn[(id + 4) % 5] - here, b = drawn[(id + 1) % 5] - here;
+      const Vector2 here = drawn[id], a = drawn[(id + 4) % 5] - here,
+                    b = drawn[(id + 1) % 5] - here;
       double angle = std::acos(a.normalized().dot(b.normalized())) / Degree;
       angle = here == corners[3] ? 360.0 - angle : angle;
       EXPECT_NEAR(polygon.Angles[i], angle, 1.5) << id;
@@ -134,7 +135,7 @@ TEST(MapOutlines, RhumbLinesAndAnglesAreKnown)
 // from its angles.
 TEST(MapOutlines, AreaOfASphericalTriangleIsItsExcess)
 {
-  const MappedMesh ball = sphere(60);
+  const MappedMesh ball = sphere(30);
   const Vector3 corners[] = { Vector3(1, -0.3, 0.2).normalized(), Vector3(0.6, 1, 0.1).normalized(),
     Vector3(0.4, 0.2, 1).normalized() };
   for (const MapProjection projection :
@@ -142,7 +143,7 @@ TEST(MapOutlines, AreaOfASphericalTriangleIsItsExcess)
   {
     const MapImage image = { projection, 0.0, { 900, 900 } };
     std::vector<Vector2> drawn;
-    constexpr int pieces = 200;
+    constexpr int pieces = 100;
     double excess = -Pi, perimeter = 0.0;
     for (int k = 0; k < 3; ++k)
     {
@@ -155,7 +156,7 @@ TEST(MapOutlines, AreaOfASphericalTriangleIsItsExcess)
       perimeter += std::acos(a.dot(b));
     }
     const auto triangle = measured(ball, image, drawn, true);
-    EXPECT_NEAR(triangle.Area / excess, 1.0, 1e-3) << static_cast<int>(projection);
+    EXPECT_NEAR(triangle.Area / excess, 1.0, 2e-3) << static_cast<int>(projection);
     EXPECT_NEAR(triangle.Length / perimeter, 1.0, 1e-3);
   }
 }
@@ -164,21 +165,21 @@ TEST(MapOutlines, AreaOfASphericalTriangleIsItsExcess)
 TEST(MapOutlines, CylindersAreTrueToScale)
 {
   const double half = 4.0;
-  const MappedMesh body = capsules::make(half, 200);
+  const MappedMesh body = capsules::make(half, 120);
   MapImage image = { MapProjection::Capsule, 0.0, { 300, 700 }, half + 1.0 };
   const double unit = 2.0 * image.halfSize()[0] / 300.0;
   const std::vector<Vector2> corners = { { 100, 200 }, { 220, 250 }, { 180, 480 }, { 110, 300 } };
   const auto polygon = measured(body, image, corners, true);
-  EXPECT_NEAR(polygon.Length / (unit * polygon.PictureLength), 1.0, 1e-4);
-  EXPECT_NEAR(polygon.Area / (unit * unit * polygon.PictureArea), 1.0, 2e-4);
+  EXPECT_NEAR(polygon.Length / (unit * polygon.PictureLength), 1.0, 3e-4);
+  EXPECT_NEAR(polygon.Area / (unit * unit * polygon.PictureArea), 1.0, 6e-4);
   for (std::size_t i = 0; i < polygon.Corners.size(); ++i)
   {
     if (polygon.Corners[i] >= 0)
     {
       const int id = polygon.Corners[i];
-      const Vector2 a = corners[(id + 3) % 4] - corners[id], b = corners[(id + 1) % 4] - corners[id];
-      EXPECT_NEAR(polygon.Angles[i],
-        std::acos(a.normalized().dot(b.normalized())) / Degree, 0.8);
+      const Vector2 a = corners[(id + 3) % 4] - corners[id],
+                    b = corners[(id + 1) % 4] - corners[id];
+      EXPECT_NEAR(polygon.Angles[i], std::acos(a.normalized().dot(b.normalized())) / Degree, 1.2);
     }
   }
   // A circle of latitude of a cap, inside of a disk of the map
@@ -191,8 +192,8 @@ TEST(MapOutlines, CylindersAreTrueToScale)
       Vector2(radius * std::cos(i * Degree), middle + radius * std::sin(i * Degree)) / unit);
   }
   const auto cap = measured(body, image, circle, true);
-  EXPECT_NEAR(cap.Length / (2.0 * Pi * std::sin(colatitude)), 1.0, 1e-3);
-  EXPECT_NEAR(cap.Area / (2.0 * Pi * (1.0 - std::cos(colatitude))), 1.0, 1e-3);
+  EXPECT_NEAR(cap.Length / (2.0 * Pi * std::sin(colatitude)), 1.0, 2e-3);
+  EXPECT_NEAR(cap.Area / (2.0 * Pi * (1.0 - std::cos(colatitude))), 1.0, 2e-3);
   // The end of the cylinder is drawn twice, away from the central meridian.
   EXPECT_FALSE(measured(body, image, { { 120, 350 }, { 120, 600 } }, false).IsOnMap);
 }
@@ -200,7 +201,7 @@ TEST(MapOutlines, CylindersAreTrueToScale)
 // A spheroid whose map is that of a sphere: a zone of it has a known area.
 TEST(MapOutlines, AreasAreThoseOfTheBody)
 {
-  MappedMesh body = sphere(60);
+  MappedMesh body = sphere(30);
   const double a = 2.5;
   body.Positions.col(2) *= a;
   const auto zone = measured(
@@ -214,7 +215,7 @@ TEST(MapOutlines, AreasAreThoseOfTheBody)
     const double z = from + (to - from) * (i + 0.5) / pieces;
     area += 2.0 * Pi * std::sqrt(a * a * (1.0 - z * z) + z * z) * (to - from) / pieces;
   }
-  EXPECT_NEAR(zone.Area / area, 1.0, 1e-3);
+  EXPECT_NEAR(zone.Area / area, 1.0, 2e-3);
   const auto all = measured(
     body, Degrees, { place(-180, -90), place(180, -90), place(180, 90), place(-180, 90) }, true);
   EXPECT_NEAR(all.Area / conformal::surfaceArea(body.Positions, body.Triangles), 1.0, 1e-9);
@@ -255,8 +256,7 @@ TEST(MapOutlines, OutlinesThatLeaveTheMapHaveNoMeasures)
   EXPECT_FALSE(measured(ball, Degrees, { { 100, 170 }, { 100, 190 } }, false).IsOnMap);
   EXPECT_FALSE(measured(ball, Degrees, { { 100, 170 }, { 100, 170 } }, true).IsOnMap);
   EXPECT_FALSE(measured(ball, Degrees, {}, true).IsOnMap);
-  EXPECT_THROW(
-    measured(ball, Degrees, { { 100, 1e9 }, { 100, 1 } }, false), std::invalid_argument);
+  EXPECT_THROW(measured(ball, Degrees, { { 100, 1e9 }, { 100, 1 } }, false), std::invalid_argument);
   EXPECT_THROW(
     measured(ball, Degrees, { { std::nan(""), 3 }, { 100, 1 } }, false), std::invalid_argument);
 }
@@ -267,7 +267,8 @@ TEST(MapOutlines, SameBitsOnAnyThreadsAndStops)
   std::vector<MapOutline> outlines;
   for (int i = 0; i < 9; ++i)
   {
-    outlines.push_back({ { { 20.0 * i, 60 }, { 20.0 * i + 30, 70 }, { 20.0 * i + 5, 110 } }, true });
+    outlines.push_back(
+      { { { 20.0 * i, 60 }, { 20.0 * i + 30, 70 }, { 20.0 * i + 5, 110 } }, true });
   }
   const auto one = measureMapOutlines(ball, Degrees, outlines),
              two = measureMapOutlines(ball, Degrees, outlines, runs::backwards());
