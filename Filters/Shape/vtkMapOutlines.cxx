@@ -11,11 +11,9 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -82,19 +80,7 @@ DrawnOutlines ReadOutlines(vtkPolyData* drawn, double height, bool isDown)
   return all;
 }
 
-void AddIntegers(vtkFieldData* data, const char* name, const std::vector<int>& values)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), values[i]);
-  }
-  data->AddArray(array);
-}
-
-void FillLines(vtkPolyData* output, const DrawnOutlines& drawn,
+void FillOutlineLines(vtkPolyData* output, const DrawnOutlines& drawn,
   const std::vector<conformal::SurfaceOutline>& outlines, const conformal::CoordinateFrame& frame)
 {
   conformal::Index size = 0;
@@ -129,12 +115,12 @@ void FillLines(vtkPolyData* output, const DrawnOutlines& drawn,
   }
   glue::SetPoints(output, points, frame);
   output->SetLines(lines);
-  AddIntegers(output->GetPointData(), "Corner", corners);
+  glue::AddIntegers(output->GetPointData(), "Corner", corners);
   glue::AddNumbers(output->GetPointData(), "Angle", angles);
-  AddIntegers(output->GetCellData(), "Outline", cells);
+  glue::AddIntegers(output->GetCellData(), "Outline", cells);
 }
 
-void FillTable(vtkTable* table, const DrawnOutlines& drawn,
+void FillOutlineTable(vtkTable* table, const DrawnOutlines& drawn,
   const std::vector<conformal::SurfaceOutline>& outlines, const conformal::CoordinateFrame& frame)
 {
   std::vector<int> onMap, closed;
@@ -149,9 +135,9 @@ void FillTable(vtkTable* table, const DrawnOutlines& drawn,
     pictureAreas.push_back(outlines[i].PictureArea);
   }
   vtkFieldData* rows = table->GetRowData();
-  AddIntegers(rows, "Outline", drawn.Cells);
-  AddIntegers(rows, "OnMap", onMap);
-  AddIntegers(rows, "Closed", closed);
+  glue::AddIntegers(rows, "Outline", drawn.Cells);
+  glue::AddIntegers(rows, "OnMap", onMap);
+  glue::AddIntegers(rows, "Closed", closed);
   glue::AddLengths(rows, "Length", lengths, frame);
   glue::AreasFromFrame(
     areas.data(), static_cast<conformal::Index>(areas.size()), frame, "the areas");
@@ -160,7 +146,7 @@ void FillTable(vtkTable* table, const DrawnOutlines& drawn,
   glue::AddNumbers(rows, "PictureArea", pictureAreas);
 }
 
-void RequireValid(const conformal::MapImage& map)
+void RequireOutlineMap(const conformal::MapImage& map)
 {
   if (!std::isfinite(map.CentralLongitude))
   {
@@ -252,7 +238,7 @@ int vtkMapOutlines::RequestData(
       {
         return;
       }
-      RequireValid(map);
+      RequireOutlineMap(map);
       conformal::Steps steps(glue::RunOf(this), { 0.05, 0.95 }); // reading, measuring
       steps.next();
       const DrawnOutlines read = ReadOutlines(drawn, double(map.Grid.Height), isDown);
@@ -262,9 +248,9 @@ int vtkMapOutlines::RequestData(
       const std::vector<conformal::SurfaceOutline> measured =
         conformal::measureMapOutlines(body, map, read.Outlines, steps.next());
       const vtkNew<vtkPolyData> lines;
-      FillLines(lines, read, measured, frame);
+      FillOutlineLines(lines, read, measured, frame);
       const vtkNew<vtkTable> rows;
-      FillTable(rows, read, measured, frame);
+      FillOutlineTable(rows, read, measured, frame);
       WarnOfOutside(this, measured, read.Cells);
       output->ShallowCopy(lines);
       table->ShallowCopy(rows);
