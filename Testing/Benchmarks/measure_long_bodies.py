@@ -89,7 +89,7 @@ def bodies(folder, kinds):
 
 
 def mapped(surface, balance):
-    """The map, and its messages. A surface that is not closed is learned anew."""
+    """The surface with its map, and the messages of the filter."""
     map_ = conformalsom.vtkGlobalConformalMap()
     map_.SetInputData(surface)
     map_.SetAreaBalance(balance)
@@ -157,8 +157,7 @@ def with_ends(surface):
 
 
 def measure_map(surface, projection, size):
-    """The ratio of the scales between which pixels have 90 percent of the area, the area that is not on the map, and
-    the aspect of the capsule. The area of all pixels is that of the body, if all of it is on the map."""
+    """The ratio of the scales between which pixels have 90 percent of the area, and the aspect of the capsule."""
     image = conformalsom.vtkBodyMapImage()
     image.SetInputData(surface)
     image.SetArrayName("SpherePosition")
@@ -193,8 +192,8 @@ def measure_maps(surfaces):
             ("Mercator", (400, 400)), ("Equirectangular", (600, 300)), ("Mollweide", (600, 300)),
             ("Capsule", (300, 900)))]
         texts = [f"{ratio:.3g}" for ratio, _ in ratios]
-        print(f"| {title} | {balance} | {texts[0]} | {100.0 * beyond_mercator(turned):.0f} % | {texts[1]} | {texts[2]} | "
-              f"{texts[3]} | {ratios[3][1]:.2f} |", flush=True)
+        print(f"| {title} | {balance} | {texts[0]} | {100.0 * beyond_mercator(turned):.0f} % | {texts[1]} | "
+              f"{texts[2]} | {texts[3]} | {ratios[3][1]:.2f} |", flush=True)
 
 
 def main():

@@ -4,9 +4,9 @@
     PYTHONPATH=build/dev/python:Examples/Python /usr/bin/python3 Testing/Benchmarks/measure_map_measures.py \\
       [--picture map_outlines.png] [--long-picture long_bodies.png]
 
-The body is a sphere, so that all measures are known, and its mesh has more or fewer points. Drawn are circles (1000 corners)
-and triangles of great circles (400 corners on each side), with radii of 0.25, around 30 directions up to 60 degrees from
-the equator. Errors are relative, as mean and largest of all figures, those of angles in degrees.
+The body is a sphere, so that all measures are known, and its mesh has more or fewer points. Drawn are circles (1000
+corners) and triangles of great circles (400 corners on each side), with radii of 0.25, around 30 directions up to 60
+degrees from the equator. Errors are relative, as mean and largest of all figures, those of angles in degrees.
 
     outlines  length and area of circles, angles at the corners of triangles, by projection and mesh.
     labels    area and perimeter of circles that are painted in maps, by projection and width of the map.
@@ -133,14 +133,15 @@ def measure_outlines():
             p, q = np.cross(a, b), np.cross(a, c)
             true = np.degrees(np.arccos(p @ q / np.linalg.norm(p) / np.linalg.norm(q)))
             angles = np.abs(found[(ids >= 0) & (ids % 400 == 0)] - true)
-            print(f"| {surface.GetNumberOfPoints():,} | {projection} | {text(np.abs(column(circles, 'Length') / length - 1))} | "
-                  f"{text(np.abs(column(circles, 'Area') / area - 1))} | {text(angles, '°', 1.0)} |", flush=True)
+            print(f"| {surface.GetNumberOfPoints():,} | {projection} | "
+                  f"{text(np.abs(column(circles, 'Length') / length - 1))} | {text(np.abs(column(circles, 'Area') / area - 1))} | {text(angles, '°', 1.0)} |", flush=True)
 
 
 def painted(outline_frames, projection, width):
     """An image of labels: pixels in circles."""
     height = width if projection == "Mercator" else width // 2
-    x, y = np.meshgrid((np.arange(width) + 0.5) / (0.5 * width) - 1.0, (np.arange(height) + 0.5) / (0.5 * height) - 1.0)
+    x, y = np.meshgrid((np.arange(width) + 0.5) / (0.5 * width) - 1.0,
+                       (np.arange(height) + 0.5) / (0.5 * height) - 1.0)
     if projection == "Equirectangular":
         longitude, latitude = np.pi * x, 0.5 * np.pi * y
     elif projection == "Mercator":
@@ -215,7 +216,8 @@ def map_of(surface, projection, size):
     image.SetGraticuleSpacing(0.0)
     image.Update()
     output = image.GetOutput()
-    vtk_to_numpy(output.GetPointData().GetScalars())[vtk_to_numpy(output.GetPointData().GetArray("OutsideSurface")) == 1] = 255
+    outside = vtk_to_numpy(output.GetPointData().GetArray("OutsideSurface")) == 1
+    vtk_to_numpy(output.GetPointData().GetScalars())[outside] = 255
     output.SetSpacing(1.0, 1.0, 1.0)
     output.SetOrigin(0.0, 0.0, 0.0)
     return output
@@ -251,7 +253,8 @@ def draw(path):
         ([1, 0, 0], [0, 1, 0], [0, 0, 1]), ([0.6, 0, 0.8], [0, 1, 0], [-0.8, 0, 0.6]),
         ([0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]), ([0.5, 0.75, -0.43], [0.83, -0.55, 0.0], [0.24, 0.36, 0.9])))]
     filter_ = measured(surface, outlines, "Mercator")
-    drawn_lines = polygons([drawn(outline, "Mercator", WIDTH)[0] * [1, -1] / WIDTH + [-0.5, 0.5] for outline in outlines])
+    drawn_lines = polygons(
+        [drawn(outline, "Mercator", WIDTH)[0] * [1, -1] / WIDTH + [-0.5, 0.5] for outline in outlines])
     picture = map_of(surface, "Mercator", (WIDTH, WIDTH))
     scene = pictures.image_scene(picture, "drawn in the map", 1.0)
     outline_points = vtk_to_numpy(drawn_lines.GetPoints().GetData())
@@ -259,7 +262,8 @@ def draw(path):
     drawn_actor = lines_actor(drawn_lines, (0.9, 0.0, 0.0))
     drawn_actor.GetProperty().SetRepresentationToWireframe()
     scene.AddActor(drawn_actor)
-    pictures.write_side_by_side(path, [scene, surface_scene(surface, "measured on the surface", 1.0, filter_.GetOutput())], 1200, 600)
+    measured_scene = surface_scene(surface, "measured on the surface", 1.0, filter_.GetOutput())
+    pictures.write_side_by_side(path, [scene, measured_scene], 1200, 600)
 
 
 def draw_long(path):
