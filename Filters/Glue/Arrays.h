@@ -24,6 +24,9 @@ void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& v
 /// @throws std::overflow_error if a number is not finite
 void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values);
 
+/// Add an array of ints with 1 component.
+void AddIntegers(vtkFieldData* data, const char* name, const std::vector<int>& values);
+
 /// Convert lengths from the unit of a frame to the user's unit. Add the converted lengths as an
 /// array of doubles with 1 component.
 /// @throws std::overflow_error if a converted length is not finite

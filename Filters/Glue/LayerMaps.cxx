@@ -1,6 +1,8 @@
 #include "Glue/LayerMaps.h"
 
+#include "Body/MapAreas.h"
 #include "Glue/Arrays.h"
+#include "Glue/MapImages.h"
 #include "Glue/SphereImages.h"
 #include "Mesh/GenusZeroCheck.h"
 
@@ -58,15 +60,16 @@ LayerPlace Interpolated(const LayeredSurface& surface, const conformal::SurfaceP
 }
 
 // Give an image of the map its coordinates: those of a map of a sphere with the area of the
-// surface.
+// surface, or of a capsule.
 void PlaceImage(vtkImageData* image, const LayeredSurface& surface, const conformal::MapImage& map,
   const conformal::CoordinateFrame& frame)
 {
   const double area = conformal::surfaceArea(surface.Mesh.Positions, surface.Mesh.Triangles);
   const bool isInDegrees = map.Projection == conformal::MapProjection::Equirectangular;
-  double scale = std::sqrt(area / (4.0 * conformal::Pi)) * (isInDegrees ? conformal::Pi / 180 : 1);
+  const double areaOfMap = 4.0 * conformal::Pi * map.CapsuleAspect; // of the sphere or capsule
+  double scale = std::sqrt(area / areaOfMap) * (isInDegrees ? conformal::Pi / 180 : 1);
   LengthsFromFrame(&scale, 1, frame, "the spacing of the map");
-  const conformal::Vector2 half = scale * conformal::halfSizeOfMap(map.Projection);
+  const conformal::Vector2 half = scale * map.halfSize();
   const double across = 2.0 * half[0] / double(map.Grid.Width),
                up = 2.0 * half[1] / double(map.Grid.Height);
   const std::vector<double>& depths = surface.Depths;
@@ -143,7 +146,7 @@ void PaintLayers(vtkImageData* stack, vtkImageData* summary, const LayeredSurfac
   stack->GetPointData()->SetActiveScalars("Intensity");
   vtkFloatArray* maxima = AddFloats(summary->GetPointData(), "LayerMaximum", 1, size);
   vtkFloatArray* means = AddFloats(summary->GetPointData(), "LayerMean", 1, size);
-  std::vector<double> depths(size, 0.0);
+  std::vector<double> depths(size, 0.0), areas(size, 0.0);
   summary->GetPointData()->SetActiveScalars("LayerMaximum");
   const auto outside = MakeHoles(summary);
   const conformal::PixelSink sink =
@@ -170,12 +173,17 @@ void PaintLayers(vtkImageData* stack, vtkImageData* summary, const LayeredSurfac
       maxima->SetValue(pixel, static_cast<float>(summed.Maximum));
       means->SetValue(pixel, static_cast<float>(summed.Mean));
       depths[pixel] = summed.DepthOfMaximum;
+      areas[pixel] = conformal::areaOfPixel(surface.Mesh, map, pixel, places[i]);
     }
   };
   conformal::paintMap(surface.Mesh, map, sink, run);
   AddLengths(summary->GetPointData(), "DepthOfMaximum", std::move(depths), frame);
   summary->GetPointData()->AddArray(outside);
-  PlaceImage(stack, surface, map, frame);
-  PlaceImage(summary, surface, map, frame);
+  AddAreaScales(summary, std::move(areas));
+  for (vtkImageData* image : { stack, summary })
+  {
+    AddCapsule(image, map);
+    PlaceImage(image, surface, map, frame);
+  }
 }
 }

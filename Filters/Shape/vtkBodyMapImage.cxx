@@ -1,9 +1,11 @@
 #include "vtkBodyMapImage.h"
 
 #include "Base/Steps.h"
+#include "Body/MapAreas.h"
 #include "Body/MapImage.h"
 #include "Body/Planetocentric.h"
 #include "Glue/Arrays.h"
+#include "Glue/MapImages.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
@@ -24,6 +26,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkBodyMapImage);
@@ -41,7 +44,8 @@ void AddMarks(vtkImageData* image, const char* name, const std::vector<unsigned 
 
 void RequireFreeName(vtkDataArray* values)
 {
-  for (const char* ours : { "OutsideSurface", "OutsideMap", "Graticule", "BodyPosition" })
+  for (const char* ours :
+    { "OutsideSurface", "OutsideMap", "Graticule", "BodyPosition", "AreaScale" })
   {
     if (values->GetName() && std::string(values->GetName()) == ours)
     {
@@ -51,23 +55,37 @@ void RequireFreeName(vtkDataArray* values)
   }
 }
 
-// Return a sink that passes surface points on to the painter and, unless `positions` is empty,
-// stores their positions.
-conformal::PixelSink PositionPainter(
-  conformal::PixelSink painter, const conformal::Points& body, conformal::Points& positions)
+// What the image gets besides the values, if it is wanted: positions and areas of all pixels.
+struct PixelExtras
 {
-  return [painter = std::move(painter), &body, &positions](
+  conformal::Points Positions;
+  std::vector<double> Areas;
+};
+
+// Return a sink that passes surface points on to the painter, and stores the wanted extras.
+conformal::PixelSink ExtrasPainter(conformal::PixelSink painter, const conformal::MappedMesh& body,
+  const conformal::MapImage& map, PixelExtras& extras)
+{
+  return [painter = std::move(painter), &body, &map, &extras](
            conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
   {
     painter(first, places);
-    for (std::size_t i = 0; positions.rows() > 0 && i < places.size(); ++i)
+    for (std::size_t i = 0; i < places.size(); ++i)
     {
-      conformal::Vector3 position = conformal::Vector3::Zero();
-      for (int k = 0; k < 3 && places[i].Ids[0] >= 0; ++k)
+      const conformal::Index pixel = first + static_cast<conformal::Index>(i);
+      if (extras.Positions.rows() > 0)
       {
-        position += places[i].Weights[k] * body.row(places[i].Ids[k]).transpose();
+        conformal::Vector3 position = conformal::Vector3::Zero();
+        for (int k = 0; k < 3 && places[i].Ids[0] >= 0; ++k)
+        {
+          position += places[i].Weights[k] * body.Positions.row(places[i].Ids[k]).transpose();
+        }
+        extras.Positions.row(pixel) = position;
       }
-      positions.row(first + static_cast<conformal::Index>(i)) = position;
+      if (!extras.Areas.empty())
+      {
+        extras.Areas[pixel] = conformal::areaOfPixel(body, map, pixel, places[i]);
+      }
     }
   };
 }
@@ -139,21 +157,28 @@ void PaintMap(const conformal::MappedMesh& body, const conformal::MapImage& map,
   }
 }
 
-void RequireFinite(const conformal::MapImage& map, double spacing)
+void RequireValid(const conformal::MapImage& map, double spacing, bool hasAreasOfRays)
 {
+  if (hasAreasOfRays)
+  {
+    throw std::invalid_argument("GenerateAreaScale needs Coordinates MAP");
+  }
   if (!std::isfinite(map.CentralLongitude) || !std::isfinite(spacing))
   {
     throw std::invalid_argument("CentralLongitude and GraticuleSpacing must be finite");
   }
 }
 
-void AddPositions(
-  vtkImageData* image, conformal::Points& positions, const conformal::CoordinateFrame& frame)
+void AddExtras(vtkImageData* image, PixelExtras& extras, const conformal::CoordinateFrame& frame)
 {
-  if (positions.rows() > 0)
+  if (extras.Positions.rows() > 0)
   {
-    glue::LengthsFromFrame(positions.data(), positions.size(), frame, "BodyPosition");
-    glue::AddVectors(image->GetPointData(), "BodyPosition", positions);
+    glue::LengthsFromFrame(extras.Positions.data(), extras.Positions.size(), frame, "BodyPosition");
+    glue::AddVectors(image->GetPointData(), "BodyPosition", extras.Positions);
+  }
+  if (!extras.Areas.empty())
+  {
+    glue::AddAreaScales(image, std::move(extras.Areas));
   }
 }
 }
@@ -172,8 +197,11 @@ int vtkBodyMapImage::RequestInformation(
   return glue::RunRequest(this,
     [&]()
     {
+      // If the aspect of a capsule is found from the surface, RequestData() sets the coordinates.
       const conformal::Vector2 half =
-        conformal::halfSizeOfMap(static_cast<conformal::MapProjection>(this->Projection));
+        conformal::MapImage{ static_cast<conformal::MapProjection>(this->Projection), 0.0,
+          { this->ImageSize[0], this->ImageSize[1] }, std::max(this->CapsuleAspect, 1.0) }
+          .halfSize();
       glue::SetImageInformation(outputVector->GetInformationObject(0), this->ImageSize, -half[0],
         -half[1], 2.0 * half[0], 2.0 * half[1]);
     });
@@ -194,9 +222,9 @@ int vtkBodyMapImage::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const std::string arrayName = this->ArrayName;
   conformal::MapImage map{ static_cast<conformal::MapProjection>(this->Projection),
-    this->CentralLongitude, {} };
+    this->CentralLongitude, {}, this->CapsuleAspect };
   const double spacing = this->GraticuleSpacing >= 1.0 ? this->GraticuleSpacing : 0.0;
-  const bool withPositions = this->GeneratePositions;
+  const bool withPositions = this->GeneratePositions, withAreas = this->GenerateAreaScale;
   const bool isPlanetocentric = this->Coordinates == PLANETOCENTRIC;
   return glue::RunCore(this,
     [&]()
@@ -205,7 +233,7 @@ int vtkBodyMapImage::RequestData(
       {
         return;
       }
-      RequireFinite(map, spacing);
+      RequireValid(map, spacing, withAreas && isPlanetocentric);
       vtkDataArray* values = glue::ArrayToBake(surface, arrayName);
       RequireFreeName(values);
       const vtkNew<vtkImageData> result;
@@ -217,13 +245,16 @@ int vtkBodyMapImage::RequestData(
       steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh body = glue::CopyMapped(surface, frame);
-      conformal::Points positions(withPositions ? map.Grid.size() : 0, 3);
+      map.CapsuleAspect = conformal::capsuleAspectOf(body, map.Projection, map.CapsuleAspect);
+      PixelExtras extras = { conformal::Points(withPositions ? map.Grid.size() : 0, 3),
+        std::vector<double>(withAreas ? map.Grid.size() : 0) };
       const conformal::PixelSink painter =
-        PositionPainter(glue::PixelPainter(values, pixels, holes), body.Positions, positions);
+        ExtrasPainter(glue::PixelPainter(values, pixels, holes), body, map, extras);
       PaintMap(body, map, painter, isPlanetocentric ? surface.Get() : nullptr, frame, steps.next());
       result->GetPointData()->AddArray(holes);
       AddMapMarks(result, map, spacing, steps.next());
-      AddPositions(result, positions, frame);
+      AddExtras(result, extras, frame);
+      glue::AddCapsule(result, map);
       output->ShallowCopy(result);
     });
 }
@@ -232,13 +263,15 @@ int vtkBodyMapImage::RequestData(
 void vtkBodyMapImage::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const projections[] = { "Equirectangular", "LambertAzimuthal", "Mollweide",
-    "PeirceQuincuncial", "Mercator" };
+    "PeirceQuincuncial", "Mercator", "Capsule" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "Projection: " << projections[this->Projection] << "\n";
   os << indent << "Coordinates: " << (this->Coordinates == MAP ? "Map" : "Planetocentric") << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";
+  os << indent << "CapsuleAspect: " << this->CapsuleAspect << "\n";
   os << indent << "ImageSize: (" << this->ImageSize[0] << ", " << this->ImageSize[1] << ")\n";
   os << indent << "GraticuleSpacing: " << this->GraticuleSpacing << "\n";
   os << indent << "GeneratePositions: " << (this->GeneratePositions ? "On" : "Off") << "\n";
+  os << indent << "GenerateAreaScale: " << (this->GenerateAreaScale ? "On" : "Off") << "\n";
 }

@@ -1,6 +1,6 @@
 /**
  * @class   vtkBodyMapImage
- * @brief   draw a map of a body: any point array in one of five projections of the sphere
+ * @brief   draw a map of a body: any point array in one of six projections of the sphere
  *
  * Draw a map of a whole body for which vtkBodyMap has computed longitudes and latitudes. The map is
  * an image whose pixels show the values of a point array. Further point arrays mark pixels beyond
@@ -26,6 +26,12 @@
  *   other meridians end at the parallels nearest to the poles.
  * - point array "BodyPosition" (double, 3 components) only with GeneratePositions: the point of the
  *   body that the pixel shows; 0 outside of the map or the surface.
+ * - point array "AreaScale" (double), only with GenerateAreaScale: the area of the body that the
+ *   pixel shows, over the mean; 0 outside of the map or the surface.
+ * - field data "AreaScaleRange" (2 values, double), only with GenerateAreaScale: pixels below the
+ *   first scale show 5 percent of the body's area, and pixels above the second 5 percent.
+ * - field data "CapsuleAspect" (double), only with Projection CAPSULE: ratio of length to diameter
+ *   of the capsule. The unit of coordinates is the radius of the capsule.
  *
  * A pixel shows the point of the body whose position on the sphere is projected to the pixel's
  * middle. For any shape of the body, every point of the body has a position on the map. If many
@@ -34,7 +40,7 @@
  * The image is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008)). The projection
  * PEIRCE_QUINCUNCIAL is that of C. S. Peirce (1879), computed by an elliptic integral with complex
- * arguments (Carlson 1995); see Documentation/references.bib.
+ * arguments (Carlson 1995); see Documentation/references.bib. The projection CAPSULE is our own.
  *
  * @sa
  * vtkBodyMap vtkSphericalTextureImage vtkPNGWriter vtkTIFFWriter
@@ -61,7 +67,8 @@ public:
     LAMBERT_AZIMUTHAL = 1,
     MOLLWEIDE = 2,
     PEIRCE_QUINCUNCIAL = 3,
-    MERCATOR = 4
+    MERCATOR = 4,
+    CAPSULE = 5
   };
 
   enum CoordinateKinds
@@ -84,16 +91,18 @@ public:
    * (default): longitude and latitude, 2 : 1. LAMBERT_AZIMUTHAL: preserves areas; the northern
    * hemisphere is left, and the southern is right, 2 : 1. MOLLWEIDE: preserves areas; the map is an
    * ellipse, 2 : 1. PEIRCE_QUINCUNCIAL: preserves angles, except at four points of the equator; the
-   * map is a square with the north pole in the middle and the south pole in its corners, 1 : 1.
-   * MERCATOR: preserves angles; the map ends at latitudes of 85.05 degrees, 1 : 1.
+   * north pole is in the middle, and the south pole in the corners, 1 : 1. MERCATOR: preserves
+   * angles; the map ends at latitudes of 85.05 degrees, 1 : 1. CAPSULE: for long bodies; see
+   * CapsuleAspect.
    */
-  vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, MERCATOR);
+  vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, CAPSULE);
   vtkGetMacro(Projection, int);
   void SetProjectionToEquirectangular() { this->SetProjection(EQUIRECTANGULAR); }
   void SetProjectionToLambertAzimuthal() { this->SetProjection(LAMBERT_AZIMUTHAL); }
   void SetProjectionToMollweide() { this->SetProjection(MOLLWEIDE); }
   void SetProjectionToPeirceQuincuncial() { this->SetProjection(PEIRCE_QUINCUNCIAL); }
   void SetProjectionToMercator() { this->SetProjection(MERCATOR); }
+  void SetProjectionToCapsule() { this->SetProjection(CAPSULE); }
   ///@}
 
   ///@{
@@ -118,6 +127,19 @@ public:
    */
   vtkSetClampMacro(CentralLongitude, double, -360.0, 360.0);
   vtkGetMacro(CentralLongitude, double);
+  ///@}
+
+  ///@{
+  /**
+   * Ratio of length to diameter of the capsule, a cylinder with round ends, for Projection CAPSULE.
+   * The sphere is mapped conformally to the capsule. The map shows the cylinder as a rectangle, and
+   * the ends as disks above and below, in the middle of the image. On a body of this shape, pixels show equal areas. With 0
+   * (default), the aspect is that with which areas differ least from those of the body; the field
+   * data "CapsuleAspect" of the map is its value. Set the aspect to draw several bodies alike. In
+   * [1, 25]; values below 1 select the aspect automatically.
+   */
+  vtkSetClampMacro(CapsuleAspect, double, 0.0, 25.0);
+  vtkGetMacro(CapsuleAspect, double);
   ///@}
 
   ///@{
@@ -148,6 +170,17 @@ public:
   vtkBooleanMacro(GeneratePositions, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether to add the point array "AreaScale", the area of the body that each pixel shows, over
+   * the mean. The field data "AreaScaleRange" then state how much areas differ. Only with
+   * Coordinates MAP. Default is off.
+   */
+  vtkSetMacro(GenerateAreaScale, bool);
+  vtkGetMacro(GenerateAreaScale, bool);
+  vtkBooleanMacro(GenerateAreaScale, bool);
+  ///@}
+
 protected:
   vtkBodyMapImage() = default;
   ~vtkBodyMapImage() override = default;
@@ -168,9 +201,11 @@ private:
   int Projection = EQUIRECTANGULAR;
   int Coordinates = MAP;
   double CentralLongitude = 0.0;
+  double CapsuleAspect = 0.0;
   int ImageSize[2] = { 2000, 1000 };
   double GraticuleSpacing = 15.0;
   bool GeneratePositions = false;
+  bool GenerateAreaScale = false;
 };
 
 #endif

@@ -1,6 +1,7 @@
 #include "vtkMapLabels.h"
 
 #include "Base/Steps.h"
+#include "Body/MapAreas.h"
 #include "Body/MapLabels.h"
 #include "Glue/Arrays.h"
 #include "Glue/Meshes.h"
@@ -12,7 +13,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -59,18 +59,6 @@ std::vector<int> ReadLabels(vtkImageData* image, const std::string& name)
   return labels;
 }
 
-void AddIntegers(vtkFieldData* data, const char* name, const std::vector<int>& values)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), values[i]);
-  }
-  data->AddArray(array);
-}
-
 // Return one number of each label.
 template <typename Number>
 std::vector<Number> Column(
@@ -88,8 +76,8 @@ void FillTable(vtkTable* table, const Measures& measures, const conformal::Coord
 {
   using Measure = conformal::LabelMeasure;
   vtkFieldData* rows = table->GetRowData();
-  AddIntegers(rows, "Label", Column<int>(measures, [](const Measure& m) { return m.Label; }));
-  AddIntegers(rows, "NumberOfPixels",
+  glue::AddIntegers(rows, "Label", Column<int>(measures, [](const Measure& m) { return m.Label; }));
+  glue::AddIntegers(rows, "NumberOfPixels",
     Column<int>(measures, [](const Measure& m) { return static_cast<int>(m.NumberOfPixels); }));
   std::vector<double> areas = Column<double>(measures, [](const Measure& m) { return m.Area; });
   glue::AreasFromFrame(
@@ -111,7 +99,7 @@ void FillTable(vtkTable* table, const Measures& measures, const conformal::Coord
     glue::AddNumbers(
       rows, axis[k], Column<double>(measures, [k](const Measure& m) { return m.LongAxis[k]; }));
   }
-  AddIntegers(rows, "NumberOfNeighbors",
+  glue::AddIntegers(rows, "NumberOfNeighbors",
     Column<int>(measures, [](const Measure& m) { return m.NumberOfNeighbors; }));
 }
 }
@@ -172,7 +160,7 @@ int vtkMapLabels::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   conformal::MapImage map{ static_cast<conformal::MapProjection>(this->Projection),
-    this->CentralLongitude, {} };
+    this->CentralLongitude, {}, this->CapsuleAspect };
   const std::string name = this->ArrayName;
   return glue::RunCore(this,
     [&]()
@@ -191,11 +179,12 @@ int vtkMapLabels::RequestData(
       const std::vector<int> labels = ReadLabels(image, name);
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh body = glue::CopyMapped(surface, frame);
+      map.CapsuleAspect = conformal::capsuleAspectOf(body, map.Projection, map.CapsuleAspect);
       const conformal::MapLabels measured =
         conformal::measureMapLabels(body, map, labels, steps.next());
       const vtkNew<vtkPolyData> result;
       result->ShallowCopy(surface);
-      AddIntegers(result->GetPointData(), "Label", measured.VertexLabels);
+      glue::AddIntegers(result->GetPointData(), "Label", measured.VertexLabels);
       const vtkNew<vtkTable> rows;
       FillTable(rows, measured.Measures, frame);
       output->ShallowCopy(result);
@@ -207,9 +196,10 @@ int vtkMapLabels::RequestData(
 void vtkMapLabels::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const projections[] = { "Equirectangular", "LambertAzimuthal", "Mollweide",
-    "PeirceQuincuncial", "Mercator" };
+    "PeirceQuincuncial", "Mercator", "Capsule" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ArrayName: " << this->ArrayName << "\n";
   os << indent << "Projection: " << projections[this->Projection] << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";
+  os << indent << "CapsuleAspect: " << this->CapsuleAspect << "\n";
 }

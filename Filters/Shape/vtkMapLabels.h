@@ -67,7 +67,8 @@ public:
     LAMBERT_AZIMUTHAL = 1,
     MOLLWEIDE = 2,
     PEIRCE_QUINCUNCIAL = 3,
-    MERCATOR = 4
+    MERCATOR = 4,
+    CAPSULE = 5
   };
 
   ///@{
@@ -91,13 +92,14 @@ public:
    * Projection by which the map was made, see vtkBodyMapImage. It must be that of the map. Default
    * is EQUIRECTANGULAR.
    */
-  vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, MERCATOR);
+  vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, CAPSULE);
   vtkGetMacro(Projection, int);
   void SetProjectionToEquirectangular() { this->SetProjection(EQUIRECTANGULAR); }
   void SetProjectionToLambertAzimuthal() { this->SetProjection(LAMBERT_AZIMUTHAL); }
   void SetProjectionToMollweide() { this->SetProjection(MOLLWEIDE); }
   void SetProjectionToPeirceQuincuncial() { this->SetProjection(PEIRCE_QUINCUNCIAL); }
   void SetProjectionToMercator() { this->SetProjection(MERCATOR); }
+  void SetProjectionToCapsule() { this->SetProjection(CAPSULE); }
   ///@}
 
   ///@{
@@ -107,6 +109,16 @@ public:
    */
   vtkSetClampMacro(CentralLongitude, double, -360.0, 360.0);
   vtkGetMacro(CentralLongitude, double);
+  ///@}
+
+  ///@{
+  /**
+   * Ratio of length to diameter of the capsule, for Projection CAPSULE. It must be that of the map,
+   * whose field data "CapsuleAspect" has its value. With 0 (default), the aspect is found from the
+   * surface. In [1, 25]; values below 1 select the aspect automatically.
+   */
+  vtkSetClampMacro(CapsuleAspect, double, 0.0, 25.0);
+  vtkGetMacro(CapsuleAspect, double);
   ///@}
 
   /**
@@ -130,6 +142,7 @@ private:
   std::string ArrayName;
   int Projection = EQUIRECTANGULAR;
   double CentralLongitude = 0.0;
+  double CapsuleAspect = 0.0;
 };
 
 #endif

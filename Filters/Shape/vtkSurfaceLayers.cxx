@@ -3,6 +3,7 @@
 #include "Base/Steps.h"
 #include "Body/BodyCoordinates.h"
 #include "Body/BodyRelief.h"
+#include "Body/MapAreas.h"
 #include "Glue/Arrays.h"
 #include "Glue/LayerMaps.h"
 #include "Glue/Meshes.h"
@@ -36,7 +37,7 @@ struct LayerProperties
 {
   Range Depths, Summary;
   int NumberOfLayers;
-  bool IsLongAxis;
+  int Axis;
   conformal::MapImage Map;
 };
 
@@ -102,12 +103,13 @@ glue::LayeredSurface MakeLayers(vtkSurfaceLayers* self, vtkPolyData* surface,
   glue::PassClosedMesh(surface, closed, frame, output);
   layered.Mesh.SpherePositions = glue::ToSpherePositions(output);
   const conformal::Run axisRun = steps.next();
-  if (properties.IsLongAxis)
+  if (properties.Axis != vtkSurfaceLayers::MAP_AXIS)
   {
     const conformal::ReferenceEllipsoid reference = conformal::referenceEllipsoid(layered.Mesh);
     conformal::BodyCoordinatesOptions axis;
     axis.Center = reference.Center;
     axis.RotationAxis = reference.Axes.col(0);
+    axis.UseEnds = properties.Axis == vtkSurfaceLayers::ENDS;
     layered.Mesh.SpherePositions =
       conformal::findBodyCoordinates(layered.Mesh, axis, axisRun).SpherePositions;
     glue::AddVectors(
@@ -197,9 +199,9 @@ int vtkSurfaceLayers::RequestData(
   vtkImageData* stack = vtkImageData::GetData(outputVector, 1);
   vtkImageData* summary = vtkImageData::GetData(outputVector, 2);
   LayerProperties properties = { { this->DepthRange[0], this->DepthRange[1] },
-    { this->SummaryRange[0], this->SummaryRange[1] }, this->NumberOfLayers, this->Axis == LONG_AXIS,
+    { this->SummaryRange[0], this->SummaryRange[1] }, this->NumberOfLayers, this->Axis,
     { static_cast<conformal::MapProjection>(this->Projection), this->CentralLongitude,
-      { this->ImageSize[0], this->ImageSize[1] } } };
+      { this->ImageSize[0], this->ImageSize[1] }, this->CapsuleAspect } };
   const std::string name = this->ArrayName;
   const int component = this->Component;
   return glue::RunCore(this,
@@ -217,6 +219,8 @@ int vtkSurfaceLayers::RequestData(
       const vtkNew<vtkPolyData> result;
       const glue::LayeredSurface layered =
         MakeLayers(this, surface, properties, frame, result, steps.next());
+      properties.Map.CapsuleAspect = conformal::capsuleAspectOf(
+        layered.Mesh, properties.Map.Projection, properties.Map.CapsuleAspect);
       const conformal::LayerSampler sampler(
         volume, layered.Depths, properties.Summary[0], properties.Summary[1]);
       glue::AddLayers(result, layered, sampler, frame, steps.next());
@@ -233,7 +237,7 @@ int vtkSurfaceLayers::RequestData(
 void vtkSurfaceLayers::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const projections[] = { "Equirectangular", "LambertAzimuthal", "Mollweide",
-    "PeirceQuincuncial", "Mercator" };
+    "PeirceQuincuncial", "Mercator", "Capsule" };
   const auto print = [&](const char* name, const auto* values)
   { os << indent << name << ": (" << values[0] << ", " << values[1] << ")\n"; };
   this->Superclass::PrintSelf(os, indent);
@@ -242,8 +246,10 @@ void vtkSurfaceLayers::PrintSelf(ostream& os, vtkIndent indent)
   print("DepthRange", this->DepthRange);
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   print("SummaryRange", this->SummaryRange);
-  os << indent << "Axis: " << (this->Axis == LONG_AXIS ? "LongAxis" : "MapAxis") << "\n";
+  static const char* const axes[] = { "MapAxis", "LongAxis", "Ends" };
+  os << indent << "Axis: " << axes[this->Axis] << "\n";
   os << indent << "Projection: " << projections[this->Projection] << "\n";
   os << indent << "CentralLongitude: " << this->CentralLongitude << "\n";
+  os << indent << "CapsuleAspect: " << this->CapsuleAspect << "\n";
   print("ImageSize", this->ImageSize);
 }

@@ -39,6 +39,12 @@
  * - point array "DepthOfMaximum" (double), in the unit of the surface.
  * - point array "OutsideSurface" (unsigned char): 1 beyond the outline of the map, and where the
  *   map to the sphere has a hole; otherwise 0.
+ * - point array "AreaScale" (double): the area of the surface that the pixel shows, over the mean;
+ * 0 where there is no surface.
+ * - field data "AreaScaleRange" (2 values, double): pixels below the first scale show 5 percent of
+ *   the surface's area, and pixels above the second 5 percent.
+ * - field data "CapsuleAspect" (double), only with Projection CAPSULE, also of output port 1: ratio
+ *   of length to diameter of the capsule.
  *
  * The largest depth of a layer at a point is 0.9 radii of the largest ball that touches the surface
  * there and contains no other part of it (J. Ma, S. W. Bae, S. Choi, "3D medial axis point
@@ -70,7 +76,8 @@ public:
   enum Axes
   {
     MAP_AXIS = 0,
-    LONG_AXIS = 1
+    LONG_AXIS = 1,
+    ENDS = 2
   };
 
   enum Projections
@@ -79,7 +86,8 @@ public:
     LAMBERT_AZIMUTHAL = 1,
     MOLLWEIDE = 2,
     PEIRCE_QUINCUNCIAL = 3,
-    MERCATOR = 4
+    MERCATOR = 4,
+    CAPSULE = 5
   };
 
   ///@{
@@ -140,12 +148,15 @@ public:
    * Axis of the maps, from the south pole to the north pole. MAP_AXIS (default): as the array
    * "SpherePosition" is, such as after vtkBodyMap. LONG_AXIS: the longest axis of inertia of the
    * body, such as the head-tail axis of an embryo. The ends of this axis are moved to the poles, as
-   * by vtkBodyMap; the array "SpherePosition" of the output is changed accordingly.
+   * by vtkBodyMap; the array "SpherePosition" of the output is changed accordingly. ENDS: the
+   * two points that are farthest apart along the surface are moved to the poles. Use ENDS for bent
+   * bodies, such as a gut, whose ends are not on a straight axis.
    */
-  vtkSetClampMacro(Axis, int, MAP_AXIS, LONG_AXIS);
+  vtkSetClampMacro(Axis, int, MAP_AXIS, ENDS);
   vtkGetMacro(Axis, int);
   void SetAxisToMapAxis() { this->SetAxis(MAP_AXIS); }
   void SetAxisToLongAxis() { this->SetAxis(LONG_AXIS); }
+  void SetAxisToEnds() { this->SetAxis(ENDS); }
   ///@}
 
   ///@{
@@ -154,15 +165,18 @@ public:
    * (default): longitude and latitude, 2 : 1. LAMBERT_AZIMUTHAL: preserves areas of the sphere; the
    * northern hemisphere is left, and the southern is right, 2 : 1. MOLLWEIDE: preserves areas of
    * the sphere; an ellipse, 2 : 1. PEIRCE_QUINCUNCIAL: preserves angles, except at four points, 1 :
-   * 1. MERCATOR: preserves angles, and ends at latitudes of 85.05 degrees, 1 : 1.
+   * 1. MERCATOR: preserves angles, and ends at latitudes of 85.05 degrees, 1 : 1. CAPSULE: for long
+   * bodies with Axis LONG_AXIS or ENDS; see CapsuleAspect. The map has square pixels, and is in the
+   * middle of the picture.
    */
-  vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, MERCATOR);
+  vtkSetClampMacro(Projection, int, EQUIRECTANGULAR, CAPSULE);
   vtkGetMacro(Projection, int);
   void SetProjectionToEquirectangular() { this->SetProjection(EQUIRECTANGULAR); }
   void SetProjectionToLambertAzimuthal() { this->SetProjection(LAMBERT_AZIMUTHAL); }
   void SetProjectionToMollweide() { this->SetProjection(MOLLWEIDE); }
   void SetProjectionToPeirceQuincuncial() { this->SetProjection(PEIRCE_QUINCUNCIAL); }
   void SetProjectionToMercator() { this->SetProjection(MERCATOR); }
+  void SetProjectionToCapsule() { this->SetProjection(CAPSULE); }
   ///@}
 
   ///@{
@@ -171,6 +185,19 @@ public:
    */
   vtkSetClampMacro(CentralLongitude, double, -360.0, 360.0);
   vtkGetMacro(CentralLongitude, double);
+  ///@}
+
+  ///@{
+  /**
+   * Ratio of length to diameter of the capsule, a cylinder with round ends, for Projection CAPSULE.
+   * The sphere is mapped conformally to the capsule. The map shows the cylinder as a rectangle, and
+   * the ends as disks above and below. On a body of this shape, pixels show equal areas. With 0
+   * (default), the aspect is that with which areas differ least from those of the body; the field
+   * data "CapsuleAspect" of the map is its value. Set the aspect to draw several bodies alike. In
+   * [1, 25]; values below 1 select the aspect automatically.
+   */
+  vtkSetClampMacro(CapsuleAspect, double, 0.0, 25.0);
+  vtkGetMacro(CapsuleAspect, double);
   ///@}
 
   ///@{
@@ -204,6 +231,7 @@ private:
   int Axis = MAP_AXIS;
   int Projection = EQUIRECTANGULAR;
   double CentralLongitude = 0.0;
+  double CapsuleAspect = 0.0;
   int ImageSize[2] = { 1000, 500 };
 };
 

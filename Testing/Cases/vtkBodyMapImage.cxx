@@ -26,7 +26,8 @@ std::vector<Mirror> Mirrors()
     Same("MOLLWEIDE", Filter::MOLLWEIDE, static_cast<int>(MapProjection::Mollweide)),
     Same("PEIRCE_QUINCUNCIAL", Filter::PEIRCE_QUINCUNCIAL,
       static_cast<int>(MapProjection::PeirceQuincuncial)),
-    Same("MERCATOR", Filter::MERCATOR, static_cast<int>(MapProjection::Mercator)) };
+    Same("MERCATOR", Filter::MERCATOR, static_cast<int>(MapProjection::Mercator)),
+    Same("CAPSULE", Filter::CAPSULE, static_cast<int>(MapProjection::Capsule)) };
 }
 }
 
@@ -41,13 +42,15 @@ Case BodyMapImage()
         f->SetImageSize(24, 12);
         f->SetArrayName("SpherePosition");
         f->GeneratePositionsOn();
+        f->GenerateAreaScaleOn();
       }) };
   image.Properties = { Name("ArrayName", &F::SetArrayName),
     Integer("Projection", &F::SetProjection), Integer("Coordinates", &F::SetCoordinates),
     Number("CentralLongitude", &F::SetCentralLongitude),
-    Vector2<F, int>("ImageSize", &F::SetImageSize),
+    Number("CapsuleAspect", &F::SetCapsuleAspect), Vector2<F, int>("ImageSize", &F::SetImageSize),
     Number("GraticuleSpacing", &F::SetGraticuleSpacing),
-    Switch("GeneratePositions", &F::SetGeneratePositions) };
+    Switch("GeneratePositions", &F::SetGeneratePositions),
+    Switch("GenerateAreaScale", &F::SetGenerateAreaScale) };
   all.Modes = { image };
   all.Progress = { Run<F>(
     "Peirce", []() { return Colored(Head(100)); },

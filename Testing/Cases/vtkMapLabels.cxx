@@ -43,7 +43,8 @@ std::vector<Mirror> Mirrors()
     same("LAMBERT_AZIMUTHAL", F::LAMBERT_AZIMUTHAL, MapProjection::LambertAzimuthal),
     same("MOLLWEIDE", F::MOLLWEIDE, MapProjection::Mollweide),
     same("PEIRCE_QUINCUNCIAL", F::PEIRCE_QUINCUNCIAL, MapProjection::PeirceQuincuncial),
-    same("MERCATOR", F::MERCATOR, MapProjection::Mercator) };
+    same("MERCATOR", F::MERCATOR, MapProjection::Mercator),
+    same("CAPSULE", F::CAPSULE, MapProjection::Capsule) };
 }
 }
 
@@ -53,7 +54,8 @@ Case MapLabels()
   Case all = CaseOf<F>("vtkMapLabels");
   Mode labels = { "", { Surface(BadPoints | BadIds | BadMap), Picture("vtkMapLabels labels") } };
   labels.Properties = { Name("ArrayName", &F::SetArrayName),
-    Integer("Projection", &F::SetProjection), Number("CentralLongitude", &F::SetCentralLongitude) };
+    Integer("Projection", &F::SetProjection), Number("CentralLongitude", &F::SetCentralLongitude),
+    Number("CapsuleAspect", &F::SetCapsuleAspect) };
   labels.WritesAreas = true;
   all.Modes = { labels };
   all.Scaled = { Scaled<F>(

@@ -24,7 +24,8 @@ std::vector<Mirror> Mirrors()
     same("LAMBERT_AZIMUTHAL", F::LAMBERT_AZIMUTHAL, MapProjection::LambertAzimuthal),
     same("MOLLWEIDE", F::MOLLWEIDE, MapProjection::Mollweide),
     same("PEIRCE_QUINCUNCIAL", F::PEIRCE_QUINCUNCIAL, MapProjection::PeirceQuincuncial),
-    same("MERCATOR", F::MERCATOR, MapProjection::Mercator) };
+    same("MERCATOR", F::MERCATOR, MapProjection::Mercator),
+    same("CAPSULE", F::CAPSULE, MapProjection::Capsule) };
 }
 }
 
@@ -46,7 +47,7 @@ Case SurfaceLayers()
     Integer("NumberOfLayers", &F::SetNumberOfLayers),
     Vector2<F, double>("SummaryRange", &F::SetSummaryRange), Integer("Axis", &F::SetAxis),
     Integer("Projection", &F::SetProjection), Number("CentralLongitude", &F::SetCentralLongitude),
-    Vector2<F, int>("ImageSize", &F::SetImageSize) };
+    Number("CapsuleAspect", &F::SetCapsuleAspect), Vector2<F, int>("ImageSize", &F::SetImageSize) };
   all.Modes = { layers };
   ScaledRun samples = Scaled<F>(
     "SamplesLayers",

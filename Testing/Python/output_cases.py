@@ -16,7 +16,7 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -232,6 +232,20 @@ def label_map(width=48):
     image.SetDimensions(width, width // 2, 1)
     image.GetPointData().SetScalars(add(image.GetPointData(), "Cells", (np.arange(width * width // 2) % width // 6).astype(np.int32)))
     return image
+
+
+def outlines(scale=1.0):
+    """Two triangles and a line in a map of 1000 by 500 pixels; one triangle crosses the right side."""
+    data, points, polygons, lines = vtkPolyData(), vtkPoints(), vtkCellArray(), vtkCellArray()
+    for cells, corners in ((polygons, ((300, 200), (420, 230), (350, 330))), (polygons, ((950, 200), (1040, 210), (990, 300))),
+                           (lines, ((100, 100), (250, 380), (600, 300)))):
+        cells.InsertNextCell(3)
+        for x, y in corners:
+            cells.InsertCellPoint(points.InsertNextPoint(scale * x, scale * y, 0.0))
+    data.SetPoints(points)
+    data.SetPolys(polygons)
+    data.SetLines(lines)
+    return data
 
 
 def coefficients():
@@ -528,6 +542,7 @@ CASES = {
         inputs(mapped, ArrayName="Height"), inputs(mapped, ArrayName="Height", ImageSize=(64, 32)),
         others={"label": properties_of(ArrayName="Label", CentralLongitude=70.0, GraticuleSpacing=0.0)}),
     "vtkMapLabels": Filter(inputs(mapped, label_map), inputs(mapped, label_map)),
+    "vtkMapOutlines": Filter(inputs(mapped, outlines), inputs(mapped, outlines)),
     "vtkSurfaceLayers": Filter(
         inputs(mapped, ball_volume), inputs(mapped, ball_volume, ImageSize=(64, 32), DepthRange=(-0.2, 0.1))),
     "vtkVolumeSurfacePoints": Filter(

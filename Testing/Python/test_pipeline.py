@@ -188,6 +188,8 @@ def beside_the_chain(stages):
     chart.SetArrayName("Height")
     chart.SetImageSize(40, 20)
     chart.GeneratePositionsOn()
+    chart.GenerateAreaScaleOn()
+    chart.SetProjectionToCapsule()
     chart.Update()
     repair = vtkGenusZeroRepair()
     repair.SetInputData(torus())
@@ -199,14 +201,19 @@ def beside_the_chain(stages):
     layers.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     layers.SetVolumeData(output_cases.ball_volume())
     layers.SetNumberOfLayers(1)
+    layers.SetProjectionToCapsule()
     layers.SetImageSize(40, 20)
     layers.Update()
     labels = conformalsom.vtkMapLabels()
     labels.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     labels.SetLabelsData(output_cases.label_map())
     labels.Update()
+    drawn = conformalsom.vtkMapOutlines()
+    drawn.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    drawn.SetOutlinesData(output_cases.outlines())
+    drawn.Update()
     filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series,
-               resample, repair, body, chart, outside, layers, labels)
+               resample, repair, body, chart, outside, layers, labels, drawn)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

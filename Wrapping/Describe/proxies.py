@@ -43,8 +43,8 @@ GROUPS = {  # submenus of filters
     "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend", "SurfaceNormalMap"),
     "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
                        "SphericalTimeSeries", "ConsistentRemesh"),
-    "Shape": ("BodyMap", "BodyMapImage", "MapLabels", "SurfaceGeodesics", "SurfaceHarmonics", "SurfaceHarmonicsSource", "SurfaceLayers",
-              "SurfaceShape", "VolumeSurfacePoints"),
+    "Shape": ("BodyMap", "BodyMapImage", "MapLabels", "MapOutlines", "SurfaceGeodesics", "SurfaceHarmonics",
+              "SurfaceHarmonicsSource", "SurfaceLayers", "SurfaceShape", "VolumeSurfacePoints"),
 }
 DATA_TYPES = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",
               "vtkTable": "a table"}

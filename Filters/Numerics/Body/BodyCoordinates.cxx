@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Mesh/GenusZeroCheck.h"
+#include "Mesh/VertexRings.h"
 #include "Search/OutermostHits.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/MoebiusTransform.h"
@@ -12,7 +13,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <queue>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace conformal
 {
@@ -130,6 +134,92 @@ void requirePoint(const BodyPoint& point, const char* message)
   }
 }
 
+// Return the point of a vertex.
+BodyPoint atVertex(const Triangles& triangles, int vertex)
+{
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (triangles(r, k) == vertex)
+      {
+        return { static_cast<int>(r), Vector3::Unit(k) };
+      }
+    }
+  }
+  return {};
+}
+
+// Compute the distances of all vertices from one along edges, by Dijkstra's algorithm. Vertices
+// that are not connected to it have the distance -1.
+Eigen::VectorXd distancesFrom(const MappedMesh& surface, const VertexRings& rings, int from)
+{
+  Eigen::VectorXd distances = Eigen::VectorXd::Constant(surface.Positions.rows(), -1.0);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  queue.emplace(0.0, from);
+  distances[from] = 0.0;
+  while (!queue.empty())
+  {
+    const auto [distance, v] = queue.top();
+    queue.pop();
+    if (distance > distances[v])
+    {
+      continue;
+    }
+    for (const int other : rings[v])
+    {
+      const double along =
+        distance + (surface.Positions.row(v) - surface.Positions.row(other)).norm();
+      if (distances[other] < 0.0 || along < distances[other])
+      {
+        distances[other] = along;
+        queue.emplace(along, other);
+      }
+    }
+  }
+  return distances;
+}
+
+int farthest(const Eigen::VectorXd& distances)
+{
+  Index best = 0;
+  distances.maxCoeff(&best);
+  return static_cast<int>(best);
+}
+
+// Ends of a surface, and a vertex midway between them.
+struct SurfaceEnds
+{
+  BodyPoint North, South, Middle;
+};
+
+SurfaceEnds findEnds(const MappedMesh& surface, const Vector3& axis)
+{
+  const VertexRings rings(surface.Triangles, surface.Positions.rows());
+  int north = farthest(distancesFrom(surface, rings, surface.Triangles(0, 0)));
+  const Eigen::VectorXd fromNorth = distancesFrom(surface, rings, north);
+  int south = farthest(fromNorth);
+  const Eigen::VectorXd fromSouth = distancesFrom(surface, rings, south);
+  constexpr double midway = 0.1; // of the distance of the ends
+  const Eigen::VectorXd heights = surface.Positions * towardsLongitudeZero(axis);
+  int middle = -1;
+  for (int v = 0; v < static_cast<int>(heights.size()); ++v)
+  {
+    if (fromNorth[v] >= 0.0 && std::abs(fromNorth[v] - fromSouth[v]) <= midway * fromNorth[south] &&
+      (middle < 0 || heights[v] > heights[middle]))
+    {
+      middle = v;
+    }
+  }
+  if ((surface.Positions.row(south) - surface.Positions.row(north)).dot(axis) > 0.0)
+  {
+    std::swap(north, south);
+  }
+  return { atVertex(surface.Triangles, north), atVertex(surface.Triangles, south),
+    atVertex(surface.Triangles, middle) };
+}
+
 double radiusOf(const Points& positions)
 {
   return 0.5 * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
@@ -165,15 +255,26 @@ BodyCoordinates findBodyCoordinates(
   Steps steps(run, { 0.09, 0.09, 0.09, 0.73 }); // poles, marker, map
   const Vector3 axis = options.RotationAxis.stableNormalized();
   const OutermostHits hits(surface.Positions, surface.Triangles, steps.next().unwatched());
-  const BodyPoint north = farthestAlong(hits, options.Center, axis);
-  requirePoint(north, "the rotation axis does not intersect the surface to the north of Center");
+  BodyPoint north, south, marker;
+  if (options.UseEnds)
+  {
+    const SurfaceEnds ends = findEnds(surface, axis);
+    north = ends.North;
+    south = ends.South;
+    marker = ends.Middle;
+    steps.next();
+  }
+  else
+  {
+    north = farthestAlong(hits, options.Center, axis);
+    requirePoint(north, "the rotation axis does not intersect the surface to the north of Center");
+    steps.next();
+    south = farthestAlong(hits, options.Center, -axis);
+    requirePoint(south, "the rotation axis does not intersect the surface to the south of Center");
+    marker = farthestAlong(hits, options.Center, towardsLongitudeZero(axis));
+  }
   steps.next();
-  const BodyPoint south = farthestAlong(hits, options.Center, -axis);
-  requirePoint(south, "the rotation axis does not intersect the surface to the south of Center");
-  steps.next();
-  const BodyPoint marker = options.UseMarkerPoint
-    ? closestTo(surface, options.MarkerPoint)
-    : farthestAlong(hits, options.Center, towardsLongitudeZero(axis));
+  marker = options.UseMarkerPoint ? closestTo(surface, options.MarkerPoint) : marker;
   requirePoint(marker,
     "no point of the surface lies from Center towards longitude 0; set UseMarkerPoint and "
     "MarkerPoint");

@@ -21,8 +21,11 @@ struct BodyCoordinatesOptions
 {
   Vector3 Center = { 0, 0, 0 };       ///< point on the rotation axis
   Vector3 RotationAxis = { 0, 0, 1 }; ///< direction from Center to the north pole, of any length
-  bool UseMarkerPoint = false;        ///< whether MarkerPoint defines longitude 0
-  Vector3 MarkerPoint = { 1, 0, 0 };  ///< point on the surface, or close to the surface
+  /// Whether the poles are the ends of the surface, for bent bodies: two points that are farthest
+  /// apart along the surface. The north pole is the one farther in the direction of RotationAxis.
+  bool UseEnds = false;
+  bool UseMarkerPoint = false;       ///< whether MarkerPoint defines longitude 0
+  Vector3 MarkerPoint = { 1, 0, 0 }; ///< point on the surface, or close to the surface
 };
 
 struct BodyCoordinates
@@ -40,6 +43,11 @@ struct BodyCoordinates
 /// farthest intersection is a pole. A conformal transform of the sphere moves both poles to
 /// opposite points of the sphere. Several transforms have this property. The transform is chosen
 /// that balances north and south: the mean sine of latitude over the area of the body is 0.
+///
+/// With UseEnds, the poles are vertices: the vertex that is farthest from the first vertex along
+/// edges of the triangles, and the vertex farthest from this pole. Without a marker point,
+/// longitude 0 passes through the vertex that is farthest in the direction of the ray below, of
+/// those about midway between the poles.
 ///
 /// Longitude 0 passes through the point of the surface closest to MarkerPoint. Without a marker
 /// point, longitude 0 passes through the farthest intersection of the surface with a ray from

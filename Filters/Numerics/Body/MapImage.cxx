@@ -24,6 +24,46 @@ int cellOf(const Vector3& n, double spacing)
 }
 
 //------------------------------------------------------------------------------
+Vector2 MapImage::halfSize() const
+{
+  Vector2 half = halfSizeOfMap(this->Projection, this->CapsuleAspect);
+  if (this->Projection == MapProjection::Capsule && this->Grid.size() > 0)
+  {
+    const Vector2 pixels(double(this->Grid.Width), double(this->Grid.Height));
+    half = half.cwiseQuotient(pixels).maxCoeff() * pixels;
+  }
+  return half;
+}
+
+//------------------------------------------------------------------------------
+Vector2 MapImage::toPixels(const Vector3& n) const
+{
+  const Vector2 place =
+    sphereToMap(n, this->Projection, this->CentralLongitude, this->CapsuleAspect);
+  return 0.5 *
+    (place.cwiseQuotient(this->halfSize()) + Vector2::Ones())
+      .cwiseProduct(Vector2(double(this->Grid.Width), double(this->Grid.Height)));
+}
+
+//------------------------------------------------------------------------------
+bool MapImage::fromPixels(const Vector2& pixels, Vector3& n) const
+{
+  const Vector2 size(double(this->Grid.Width), double(this->Grid.Height));
+  const Vector2 place =
+    this->halfSize().cwiseProduct(2.0 * pixels.cwiseQuotient(size) - Vector2::Ones());
+  return mapToSphere(place, this->Projection, this->CentralLongitude, n, this->CapsuleAspect);
+}
+
+//------------------------------------------------------------------------------
+double MapImage::pixelsOfAngle(const Vector3& n, double angle) const
+{
+  const double area =
+    4.0 * Pi * (this->Projection == MapProjection::Capsule ? this->CapsuleAspect : 1.0);
+  return capsuleScale(n, this->Projection, this->CapsuleAspect) * angle /
+    std::sqrt(area / static_cast<double>(this->Grid.size()));
+}
+
+//------------------------------------------------------------------------------
 void paintMap(const MappedMesh& body, const MapImage& image, const PixelSink& sink, const Run& run)
 {
   paintSphere(

@@ -22,20 +22,36 @@ struct MapImage
   MapProjection Projection = MapProjection::Equirectangular;
   double CentralLongitude = 0.0; ///< longitude of the central meridian of the map [degrees]
   PixelGrid Grid;
+  double CapsuleAspect = 1.0; ///< see halfSizeOfMap(); used by MapProjection::Capsule
+
+  /// Return half the width and half the height of the image, in the unit of the map. The map fills
+  /// the image. The pixels of a capsule are squares: its map is in the middle of the image, and
+  /// fills its width or its height.
+  Vector2 halfSize() const;
 
   /// Return the position of the center of a pixel on the map.
   Vector2 placeOf(Index pixel) const
   {
-    return halfSizeOfMap(this->Projection)
-      .cwiseProduct(2.0 * this->Grid.middleOf(pixel) - Vector2::Ones());
+    return this->halfSize().cwiseProduct(2.0 * this->Grid.middleOf(pixel) - Vector2::Ones());
   }
+
+  /// Compute the position of a direction in pixels. The lower left corner of the image is (0, 0).
+  Vector2 toPixels(const Vector3& n) const;
+
+  /// Compute the direction at a position in pixels. This is the inverse of toPixels().
+  /// @return false if the position is outside of the map
+  bool fromPixels(const Vector2& pixels, Vector3& n) const;
 
   /// Compute the direction on the sphere that a pixel shows.
   /// @return false if the pixel is outside of the map
   bool directionOf(Index pixel, Vector3& n) const
   {
-    return mapToSphere(this->placeOf(pixel), this->Projection, this->CentralLongitude, n);
+    return mapToSphere(
+      this->placeOf(pixel), this->Projection, this->CentralLongitude, n, this->CapsuleAspect);
   }
+
+  /// Estimate the number of pixels that a small angle at a direction of the sphere corresponds to.
+  double pixelsOfAngle(const Vector3& n, double angle) const;
 };
 
 /// Find the point of the body that each pixel shows, and pass the points to `sink`, a function of

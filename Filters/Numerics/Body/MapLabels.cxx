@@ -19,16 +19,6 @@ namespace
 {
 constexpr int Outside = -1;
 
-// Position of a direction in pixels.
-Vector2 inPixels(const MapImage& image, const Vector3& n)
-{
-  const Vector2 half = halfSizeOfMap(image.Projection);
-  const Vector2 place = sphereToMap(n, image.Projection, image.CentralLongitude);
-  return 0.5 *
-    (place.cwiseQuotient(half) + Vector2::Ones())
-      .cwiseProduct(Vector2(double(image.Grid.Width), double(image.Grid.Height)));
-}
-
 // Pixel at a position in pixels.
 Index pixelAt(const MapImage& image, const Vector2& pixels)
 {
@@ -98,7 +88,6 @@ public:
     : Body(body)
     , Image(image)
     , Labels(labels)
-    , PixelAngle(std::sqrt(4.0 * Pi / static_cast<double>(image.Grid.size())))
   {
   }
 
@@ -141,7 +130,7 @@ private:
     }
     const double length = n.norm();
     corner.Direction = length > 0.0 ? Vector3(n / length) : Vector3(0, 0, 1);
-    corner.Pixels = inPixels(this->Image, corner.Direction);
+    corner.Pixels = this->Image.toPixels(corner.Direction);
     corner.Label = this->Labels[pixelAt(this->Image, corner.Pixels)];
     return corner;
   }
@@ -170,7 +159,7 @@ private:
       angle = std::max(angle, (c[k].Direction - c[next(k)].Direction).norm());
     }
     // At seams of the map, distances in pixels stay large, but angles become small.
-    const double size = std::min(pixels, angle / this->PixelAngle);
+    const double size = std::min(pixels, this->Image.pixelsOfAngle(c[0].Direction, angle));
     const int label = this->at(triangle, middle).Label;
     const bool isUniform =
       size <= 1.0 && c[0].Label == label && c[1].Label == label && c[2].Label == label;
@@ -197,7 +186,6 @@ private:
   const MappedMesh& Body;
   const MapImage& Image;
   const std::vector<int>& Labels;
-  double PixelAngle; ///< side of a square with the mean area of pixels on the sphere
 };
 
 MomentsOfLabels areaMoments(
@@ -263,7 +251,7 @@ public:
       return {};
     }
     const Vector3 beyond = 2.0 * here.dot(before) * here - before;
-    const Index other = pixelAt(this->Image, inPixels(this->Image, beyond));
+    const Index other = pixelAt(this->Image, this->Image.toPixels(beyond));
     return { this->IsInMap[other] && other != pixel ? other : Outside, true };
   }
 
@@ -464,7 +452,7 @@ MapLabels measureMapLabels(
   result.VertexLabels.resize(body.Positions.rows());
   for (Index v = 0; v < body.Positions.rows(); ++v)
   {
-    result.VertexLabels[v] = onMap[pixelAt(image, inPixels(image, body.SpherePositions.row(v)))];
+    result.VertexLabels[v] = onMap[pixelAt(image, image.toPixels(body.SpherePositions.row(v)))];
   }
   return result;
 }

@@ -145,10 +145,66 @@ bool fromPeirce(const Vector2& place, Vector3& n)
   n = Vector3(-2.0 * disk.imag(), 2.0 * disk.real(), isNorth ? height : -height).normalized();
   return true;
 }
+
+// Tangent of half the angle of a direction from the nearer pole, on the sphere. Near the pole, it
+// has all digits.
+double halfTangent(const Vector3& n)
+{
+  return std::hypot(n[0], n[1]) / (1.0 + std::abs(n[2]));
+}
+
+// The isometric latitude of the sphere is -log(halfTangent). On the cylinder, it is the height. On
+// a hemisphere, whose isometric latitude begins at 0, the half tangent is exp(half) times as large.
+Vector2 toCapsule(const Vector3& n, double half)
+{
+  const double onCap = std::exp(half) * halfTangent(n), longitude = std::atan2(n[1], n[0]);
+  if (onCap >= 1.0)
+  {
+    return { longitude, std::asinh(n[2] / std::hypot(n[0], n[1])) };
+  }
+  const double radius = 2.0 * onCap / std::sqrt(1.0 + onCap * onCap), middle = half + Sqrt2;
+  return { radius * std::sin(longitude),
+    std::copysign(middle - radius * std::cos(longitude), n[2]) };
+}
+
+bool fromCapsule(const Vector2& place, double half, Vector3& n)
+{
+  if (std::abs(place[1]) < half)
+  {
+    n = Vector3(std::cos(place[0]), std::sin(place[0]), std::sinh(place[1])) / std::cosh(place[1]);
+    return std::abs(place[0]) <= Pi;
+  }
+  const Vector2 p(place[0], half + Sqrt2 - std::abs(place[1])); // longitude 0 points along y
+  const double square = 0.25 * p.squaredNorm();
+  constexpr double rim = 0.5 * (1.0 + 1e-15); // the end of the cylinder belongs to both
+  if (square > rim)
+  {
+    return false;
+  }
+  const double onCap = std::sqrt(square / (1.0 - square)), tangent = std::exp(-half) * onCap;
+  const double scale = 2.0 * tangent / (1.0 + tangent * tangent);
+  const Vector2 across = square > 0.0 ? Vector2(scale * p.normalized()) : Vector2(0.0, 0.0);
+  n = { across[1], across[0],
+    std::copysign((1.0 - tangent * tangent) / (1.0 + tangent * tangent), place[1]) };
+  return true;
+}
 }
 
 //------------------------------------------------------------------------------
-Vector2 halfSizeOfMap(MapProjection projection)
+double capsuleScale(const Vector3& n, MapProjection projection, double capsuleAspect)
+{
+  if (projection != MapProjection::Capsule)
+  {
+    return 1.0;
+  }
+  const double tangent = std::max(halfTangent(n), std::exp(-2.0 * MaximumCapsuleAspect));
+  const double onCap = std::min(std::exp(capsuleAspect - 1.0) * tangent, 1.0);
+  const double radiusOfCapsule = 2.0 * onCap / (1.0 + onCap * onCap);
+  return radiusOfCapsule / (2.0 * tangent / (1.0 + tangent * tangent));
+}
+
+//------------------------------------------------------------------------------
+Vector2 halfSizeOfMap(MapProjection projection, double capsuleAspect)
 {
   switch (projection)
   {
@@ -158,13 +214,16 @@ Vector2 halfSizeOfMap(MapProjection projection)
       return { 2.0 * HalfLemniscate, 2.0 * HalfLemniscate };
     case MapProjection::Mercator:
       return { Pi, Pi };
+    case MapProjection::Capsule:
+      return { Pi, capsuleAspect - 1.0 + 2.0 * Sqrt2 };
     default:
       return { 2.0 * Sqrt2, Sqrt2 };
   }
 }
 
 //------------------------------------------------------------------------------
-Vector2 sphereToMap(const Vector3& direction, MapProjection projection, double centralLongitude)
+Vector2 sphereToMap(
+  const Vector3& direction, MapProjection projection, double centralLongitude, double capsuleAspect)
 {
   const Vector3 n = turned(direction, centralLongitude);
   switch (projection)
@@ -178,14 +237,16 @@ Vector2 sphereToMap(const Vector3& direction, MapProjection projection, double c
     case MapProjection::Mercator:
       return { std::atan2(n[1], n[0]),
         std::clamp(std::asinh(n[2] / std::hypot(n[0], n[1])), -Pi, Pi) };
+    case MapProjection::Capsule:
+      return toCapsule(n, capsuleAspect - 1.0);
     default:
       return Vector2(std::atan2(n[1], n[0]), std::atan2(n[2], std::hypot(n[0], n[1]))) / Degree;
   }
 }
 
 //------------------------------------------------------------------------------
-bool mapToSphere(
-  const Vector2& place, MapProjection projection, double centralLongitude, Vector3& direction)
+bool mapToSphere(const Vector2& place, MapProjection projection, double centralLongitude,
+  Vector3& direction, double capsuleAspect)
 {
   Vector3 n;
   bool isOnMap = false;
@@ -204,6 +265,9 @@ bool mapToSphere(
       isOnMap = place.cwiseAbs().maxCoeff() <= Pi;
       n =
         Vector3(std::cos(place[0]), std::sin(place[0]), std::sinh(place[1])) / std::cosh(place[1]);
+      break;
+    case MapProjection::Capsule:
+      isOnMap = fromCapsule(place, capsuleAspect - 1.0, n);
       break;
     default:
     {

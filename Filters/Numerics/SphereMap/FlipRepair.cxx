@@ -347,8 +347,11 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
   std::vector<int> bad;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
-    if (!(determinant(positions[triangles(r, 0)], positions[triangles(r, 1)],
-            positions[triangles(r, 2)]) >= MinimumSafeDeterminant))
+    const Vector3 &a = positions[triangles(r, 0)], &b = positions[triangles(r, 1)],
+                  &c = positions[triangles(r, 2)];
+    const double twiceArea = determinant(a, b, c);
+    const double longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
+    if (!(twiceArea >= std::min(MinimumSafeDeterminant, MinimumSafeHeight * longest)))
     {
       bad.push_back(static_cast<int>(r));
     }

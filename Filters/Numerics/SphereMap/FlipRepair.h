@@ -14,16 +14,20 @@
 
 namespace conformal
 {
-/// Minimum determinant of the three unit vectors of a triangle. Triangles with a lower determinant
-/// are called bad. If another program rounds the unit vectors to 16 digits, a bad triangle can
-/// become flipped.
+/// Determinant of the three unit vectors of a triangle above which it is not bad, of any shape. If
+/// another program rounds the unit vectors to 16 digits, a bad triangle can become flipped.
 constexpr double MinimumSafeDeterminant = 1e-14;
+
+/// Height of a triangle over its longest side above which it is not bad, of any size. Rounding moves
+/// unit vectors by a thousandth of this height. The ends of long bodies have triangles with much
+/// smaller determinants, but safe heights.
+constexpr double MinimumSafeHeight = 1e-13;
 
 /// Parameters of SphereEnergy for an energy that depends on angles only, not on areas.
 constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 
 /// Return the ids of the bad triangles in ascending order. A triangle is bad if its determinant is
-/// below MinimumSafeDeterminant.
+/// below MinimumSafeDeterminant, and its height below MinimumSafeHeight.
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles);
 
 /// Repair each connected set of bad triangles by moving the vertices in a neighborhood of the set.

@@ -172,6 +172,65 @@ TEST(MapProjection, MercatorKeepsAngles)
   EXPECT_EQ(sphereToMap(Vector3(0, 0, 1), MapProjection::Mercator, 0.0)[1], Pi);
 }
 
+// The capsule preserves areas, and angles on its cylinder, and comes back from the map.
+TEST(MapProjection, CapsulesAreConformalToTheSphere)
+{
+  const Points all = spheres::random(2000);
+  const MapProjection capsule = MapProjection::Capsule;
+  for (const double aspect : { 1.0, 1.7, 6.0, 20.0 })
+  {
+    const Vector2 half = halfSizeOfMap(capsule, aspect);
+    EXPECT_NEAR(half[1], aspect - 1.0 + 2.0 * std::sqrt(2.0), 1e-13);
+    for (Index i = 0; i < all.rows(); ++i)
+    {
+      // Positions all over the map, since most of a long capsule is near the poles
+      const Vector2 place(half[0] * all(i, 0), half[1] * all(i, 1));
+      Vector3 n, right, up;
+      const double h = 1e-5;
+      if (!mapToSphere(place, capsule, 20.0, n, aspect) ||
+        !mapToSphere(place + Vector2(h, 0), capsule, 20.0, right, aspect) ||
+        !mapToSphere(place + Vector2(0, h), capsule, 20.0, up, aspect) ||
+        std::abs(std::abs(place[1]) - (aspect - 1.0)) < 2.0 * h)
+      {
+        continue;
+      }
+      EXPECT_NEAR(n.norm(), 1.0, 1e-15);
+      EXPECT_LT((sphereToMap(n, capsule, 20.0, aspect) - place).norm(), 1e-6);
+      const Vector3 across = right - n, along = up - n;
+      const double scale = conformal::capsuleScale(n, capsule, aspect);
+      EXPECT_NEAR(across.cross(along).dot(n) * scale * scale / (h * h), 1.0, 2e-4);
+      const double ratio = along.norm() / across.norm();
+      if (std::abs(place[1]) < aspect - 1.0)
+      {
+        EXPECT_NEAR(ratio, 1.0, 1e-4);
+        EXPECT_NEAR(across.dot(along) / across.squaredNorm(), 0.0, 1e-4);
+      }
+      EXPECT_LT(std::max(ratio, 1.0 / ratio), 2.0 + 1e-3);
+    }
+  }
+}
+
+// With the aspect of a sphere, the map is that of Lambert, with the hemispheres one above the
+// other.
+TEST(MapProjection, TheCapsuleOfASphereIsLambertsMap)
+{
+  const Points all = spheres::random(500);
+  const double root = std::sqrt(2.0);
+  for (Index i = 0; i < all.rows(); ++i)
+  {
+    const Vector3 n = all.row(i);
+    const bool isNorth = n[2] > 0.0;
+    const Vector2 lambert = sphereToMap(n, MapProjection::LambertAzimuthal, 0.0),
+                  fromPole = lambert - Vector2(isNorth ? -root : root, 0.0),
+                  upright = isNorth ? fromPole : Vector2(-fromPole);
+    const Vector2 expected = upright + Vector2(0.0, isNorth ? root : -root);
+    EXPECT_LT((sphereToMap(n, MapProjection::Capsule, 0.0, 1.0) - expected).norm(), 1e-12);
+    EXPECT_NEAR(conformal::capsuleScale(n, MapProjection::Capsule, 1.0), 1.0, 1e-12);
+  }
+  EXPECT_EQ(
+    sphereToMap(Vector3(0, 0, 1), MapProjection::Capsule, 0.0, 7.0), Vector2(0, 6.0 + root));
+}
+
 TEST(MapProjection, HasNothingBeyondItsOutline)
 {
   Vector3 n(7, 7, 7);
@@ -181,5 +240,8 @@ TEST(MapProjection, HasNothingBeyondItsOutline)
   EXPECT_FALSE(mapToSphere({ 0.0, 1.5 }, All[2], 0.0, n));
   EXPECT_FALSE(mapToSphere({ 2.7, 0.0 }, All[3], 0.0, n));
   EXPECT_FALSE(mapToSphere({ 0.0, 3.2 }, MapProjection::Mercator, 0.0, n));
+  EXPECT_FALSE(mapToSphere({ 3.2, 0.0 }, MapProjection::Capsule, 0.0, n, 3.0));
+  EXPECT_FALSE(mapToSphere({ 1.5, 3.4 }, MapProjection::Capsule, 0.0, n, 3.0));
+  EXPECT_FALSE(mapToSphere({ 0.0, 4.9 }, MapProjection::Capsule, 0.0, n, 3.0));
   EXPECT_EQ(n[0], 7.0);
 }

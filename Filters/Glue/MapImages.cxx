@@ -1,0 +1,37 @@
+#include "Glue/MapImages.h"
+
+#include "Body/MapAreas.h"
+#include "Glue/Arrays.h"
+
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <utility>
+
+namespace glue
+{
+//------------------------------------------------------------------------------
+void AddAreaScales(vtkImageData* image, std::vector<double> areas)
+{
+  const conformal::PixelAreas compared = conformal::comparePixelAreas(std::move(areas));
+  AddNumbers(image->GetPointData(), "AreaScale", compared.Scales);
+  const double range[] = { compared.Low, compared.High };
+  AddTuple(image->GetFieldData(), "AreaScaleRange", range, 2);
+}
+
+//------------------------------------------------------------------------------
+void AddCapsule(vtkImageData* image, const conformal::MapImage& map)
+{
+  if (map.Projection != conformal::MapProjection::Capsule)
+  {
+    return;
+  }
+  const conformal::Vector2 half = map.halfSize();
+  const double across = 2.0 * half[0] / double(map.Grid.Width),
+               up = 2.0 * half[1] / double(map.Grid.Height);
+  image->SetOrigin(0.5 * across - half[0], 0.5 * up - half[1], 0.0);
+  image->SetSpacing(across, up, across);
+  AddNumber(image->GetFieldData(), "CapsuleAspect", map.CapsuleAspect);
+}
+}
