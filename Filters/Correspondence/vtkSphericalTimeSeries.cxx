@@ -97,6 +97,26 @@ double MeanOver(const conformal::MappedMesh& mesh, const std::vector<double>& va
   return areas.dot(all) / areas.sum();
 }
 
+std::vector<double> SpeedsOf(const std::vector<double>& velocities)
+{
+  std::vector<double> speeds;
+  for (const double velocity : velocities)
+  {
+    speeds.push_back(std::abs(velocity));
+  }
+  return speeds;
+}
+
+std::vector<double> SpeedsOf(const conformal::Points& velocities)
+{
+  std::vector<double> speeds;
+  for (conformal::Index v = 0; v < velocities.rows(); ++v)
+  {
+    speeds.push_back(velocities.row(v).norm());
+  }
+  return speeds;
+}
+
 // Return values of all points from values of vertices; 0 at points of no triangle.
 conformal::Points OfAllPoints(const UsedStep& step, const conformal::Points& ofVertices)
 {
@@ -145,6 +165,7 @@ class vtkSphericalTimeSeries::Series
 public:
   std::vector<SeriesStep> Steps; // those read so far
   std::vector<double> Times;     // of an input with time steps; empty otherwise
+  double Interval = 1.0;         // between separate inputs
   bool IsDone = false;
   conformal::KnownRegistrations Known;
 
@@ -180,7 +201,8 @@ public:
     this->Steps.clear();
     for (const auto& surface : surfaces.Held)
     {
-      this->Steps.push_back({ static_cast<double>(this->Steps.size()), surface, -1, {} });
+      this->Steps.push_back(
+        { this->Interval * static_cast<double>(this->Steps.size()), surface, -1, {} });
     }
   }
 
@@ -244,7 +266,7 @@ private:
     vtkNew<vtkIdTypeArray> folds;
     states->SetName("State");
     folds->SetName("NumberOfFolds");
-    std::vector<double> times, areas, volumes, moves, stretches, growths, shears;
+    std::vector<double> times, areas, volumes, moves, stretches, growths, shears, normals, tangents;
     for (std::size_t s = 0; s < this->Steps.size(); ++s)
     {
       const int k = this->Steps[s].Used;
@@ -253,7 +275,7 @@ private:
         k < 0 ? "skipped" : (static_cast<int>(s) == this->Reference ? "reference" : "registered"));
       folds->InsertNextValue(k < 0 ? 0 : this->Used[k].Result.NumberOfFolds);
       for (std::vector<double>* column :
-        { &areas, &volumes, &moves, &stretches, &growths, &shears })
+        { &areas, &volumes, &moves, &stretches, &growths, &shears, &normals, &tangents })
       {
         column->push_back(0.0);
       }
@@ -267,25 +289,35 @@ private:
         stretches.back() = this->Used[k].Result.Stretch;
         growths.back() = MeanOver(mesh, motion.AreaRates);
         shears.back() = MeanOver(mesh, motion.ShearRates);
+        normals.back() = MeanOver(mesh, SpeedsOf(motion.Normal)) * this->Frame.Unit;
+        tangents.back() = MeanOver(mesh, SpeedsOf(motion.Tangential)) * this->Frame.Unit;
       }
     }
-    const double area = areas[this->Reference], volume = volumes[this->Reference];
+    const double area = areas[this->Reference], volume = volumes[this->Reference],
+                 unit = this->Frame.Unit;
+    std::vector<double> relativeAreas, relativeVolumes;
     for (std::size_t s = 0; s < times.size(); ++s)
     {
-      areas[s] /= area;
-      volumes[s] = volume != 0.0 ? volumes[s] / volume : 0.0;
+      relativeAreas.push_back(areas[s] / area);
+      relativeVolumes.push_back(volume != 0.0 ? volumes[s] / volume : 0.0);
+      areas[s] *= unit * unit;
+      volumes[s] *= unit * unit * unit;
     }
     this->Rows = vtkSmartPointer<vtkTable>::New();
     vtkFieldData* rows = this->Rows->GetRowData();
     glue::AddNumbers(rows, "Time", times);
     rows->AddArray(states);
-    glue::AddNumbers(rows, "RelativeArea", areas);
-    glue::AddNumbers(rows, "RelativeVolume", volumes);
+    glue::AddNumbers(rows, "Area", areas);
+    glue::AddNumbers(rows, "Volume", volumes);
+    glue::AddNumbers(rows, "RelativeArea", relativeAreas);
+    glue::AddNumbers(rows, "RelativeVolume", relativeVolumes);
     glue::AddNumbers(rows, "RelativeDisplacement", moves);
     glue::AddNumbers(rows, "RegistrationStretch", stretches);
     rows->AddArray(folds);
     glue::AddNumbers(rows, "MeanAreaRate", growths);
     glue::AddNumbers(rows, "MeanShearRate", shears);
+    glue::AddNumbers(rows, "MeanNormalSpeed", normals);
+    glue::AddNumbers(rows, "MeanTangentialSpeed", tangents);
   }
 
   // Convert all surfaces, and find those that cannot be used.
@@ -509,6 +541,7 @@ int vtkSphericalTimeSeries::RequestInformation(
   // This request is made whenever an input or a property has changed.
   this->Kept->Forget();
   this->Kept->Times = TimesOfInput(inputs[0]);
+  this->Kept->Interval = this->TimeInterval;
   std::vector<double> times = this->Kept->Times;
   if (times.empty())
   {
@@ -526,7 +559,7 @@ int vtkSphericalTimeSeries::RequestInformation(
       std::max<std::size_t>(surfaces.Held.size(), inputs[0]->GetNumberOfInformationObjects()));
     for (std::size_t s = 0; s < times.size(); ++s)
     {
-      times[s] = static_cast<double>(s);
+      times[s] = this->TimeInterval * static_cast<double>(s);
     }
   }
   for (int port = 0; port < 2 && !times.empty(); ++port)
@@ -593,6 +626,7 @@ void vtkSphericalTimeSeries::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ReferenceStep: " << this->ReferenceStep << "\n";
+  os << indent << "TimeInterval: " << this->TimeInterval << "\n";
   os << indent << "PositionWeight: " << this->PositionWeight << "\n";
   os << indent << "ShapeWeight: " << this->ShapeWeight << "\n";
   os << indent << "StretchWeight: " << this->StretchWeight << "\n";

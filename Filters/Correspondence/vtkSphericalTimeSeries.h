@@ -13,8 +13,9 @@
  * - point array "SpherePosition" (3 components): a map that covers the sphere once without folds.
  *
  * Output port 0: vtkPolyData with time steps, the surface at the requested time. Times of separate
- * inputs and of blocks are 0, 1, 2, ... Between two time steps, the output is the earlier surface
- * with positions that are interpolated to the requested time. The output has
+ * inputs and of blocks are the multiples 0, 1, 2, ... of TimeInterval. Between two time steps, the
+ * output is the earlier surface with positions that are interpolated to the requested time. The
+ * output has
  * - point array "SpherePosition" (double, 3 components): the deformed map.
  * - point array "Velocity" (double, 3 components): velocity at fixed position on the sphere, in
  *   units of length per time. Velocities and rates are central differences between the previous and
@@ -33,12 +34,16 @@
  * Output port 1: vtkTable, a row for each time step of the input:
  * - "Time" (double).
  * - "State" (string): "reference", "registered" or "skipped".
+ * - "Area" and "Volume" (double): area and volume of the surface, in units of length squared and
+ *   cubed.
  * - "RelativeArea" and "RelativeVolume" (double): area and volume of the surface, divided by those
  *   of the surface of ReferenceStep.
  * - "RelativeDisplacement" (double): mean distance to the same position on the sphere at the
  * previous time step, in units of the square root of the area; 0 for the first.
  * - "RegistrationStretch" (double), "NumberOfFolds" (idtype), "MeanAreaRate" and "MeanShearRate"
  *   (double): quality and motion as on port 0. Means are weighted by area.
+ * - "MeanNormalSpeed" and "MeanTangentialSpeed" (double): means of the magnitudes of
+ *   "NormalVelocity" and "TangentialVelocity".
  * Numbers of skipped time steps are 0.
  *
  * A surface that is empty or cannot be used is skipped, with a warning that contains its number. At
@@ -86,6 +91,16 @@ public:
    */
   vtkSetClampMacro(ReferenceStep, int, 0, 1000000);
   vtkGetMacro(ReferenceStep, int);
+  ///@}
+
+  ///@{
+  /**
+   * Time between two separate inputs or blocks, such as the seconds between two frames of a film.
+   * The unit of time of velocities and rates is that of this value. Not used for an input with time
+   * steps, which has its own times. In [1e-9, 1e9]. Default is 1.
+   */
+  vtkSetClampMacro(TimeInterval, double, 1e-9, 1e9);
+  vtkGetMacro(TimeInterval, double);
   ///@}
 
   ///@{
@@ -167,6 +182,7 @@ private:
   class Series;
 
   int ReferenceStep = 0;
+  double TimeInterval = 1.0;
   double PositionWeight = 10.0;
   double ShapeWeight = 1.0;
   double StretchWeight = 1.0;

@@ -27,8 +27,8 @@ std::vector<Mode> Modes()
   whole.TakesMore = true;
   whole.Properties = { Integer("ReferenceStep", &F::SetReferenceStep),
     Integer("NumberOfSweeps", &F::SetNumberOfSweeps), Integer("Frequency", &F::SetFrequency),
-    Number("PositionWeight", &F::SetPositionWeight), Number("ShapeWeight", &F::SetShapeWeight),
-    Number("StretchWeight", &F::SetStretchWeight),
+    Number("TimeInterval", &F::SetTimeInterval), Number("PositionWeight", &F::SetPositionWeight),
+    Number("ShapeWeight", &F::SetShapeWeight), Number("StretchWeight", &F::SetStretchWeight),
     Name("LandmarkArrayName", &F::SetLandmarkArrayName) };
   return { whole };
 }

@@ -103,6 +103,34 @@ protected:
 };
 }
 
+// A head that grows by a tenth between two inputs, which are 5 seconds apart.
+TEST_F(SphericalTimeSeries, RatesAreInTheUnitOfTheTimeInterval)
+{
+  for (const double time : { 0.0, 1.0, 2.0 })
+  {
+    this->Filter->AddInputData(HeadAt(time));
+  }
+  this->Filter->SetTimeInterval(5.0);
+  this->Filter->UpdateTimeStep(5.0);
+  EXPECT_NEAR(this->SizeOfOutput(), HeadAt(1.0)->GetLength(), 1e-9);
+  EXPECT_NEAR(this->MeanOf("AreaRate"), 0.2 / 5.0, 0.004);
+  EXPECT_EQ(this->Entry(2, "Time").ToDouble(), 10.0);
+  const double area = this->Entry(0, "Area").ToDouble();
+  EXPECT_NEAR(this->Entry(1, "Area").ToDouble() / area, std::exp(0.2), 1e-9);
+  EXPECT_NEAR(this->Entry(1, "RelativeArea").ToDouble(), std::exp(0.2), 1e-9);
+  EXPECT_NEAR(
+    this->Entry(2, "Volume").ToDouble() / this->Entry(0, "Volume").ToDouble(), std::exp(0.6), 1e-9);
+  EXPECT_GT(area, 4.0);
+  EXPECT_LT(area, 100.0);
+  // Growth moves the surface outward: the volume grows by the area times the normal speed.
+  const double growth =
+    (this->Entry(2, "Volume").ToDouble() - this->Entry(0, "Volume").ToDouble()) / 10.0;
+  EXPECT_NEAR(
+    this->Entry(1, "MeanNormalSpeed").ToDouble() * this->Entry(1, "Area").ToDouble() / growth, 1.0,
+    0.05);
+  EXPECT_GT(this->Entry(1, "MeanTangentialSpeed").ToDouble(), 0.0);
+}
+
 TEST_F(SphericalTimeSeries, ReadsTimeStepsOnceAndShowsAnyTime)
 {
   vtkNew<Heads> heads;
