@@ -12,7 +12,7 @@ from . import movie_frames, shape_page
 
 WIDTH = 512  # of maps on the page, in pixels
 POINTS = 12000  # of the surface on the page
-LOWEST, HIGHEST = 2.0, 99.8  # percentiles of brightness that are black and white
+LOWEST, HIGHEST = 1.0, 98.5  # percentiles of brightness that are black and white
 MOST = 98.0  # percentile of magnitudes at the end of other colors
 MEASURES = (("Area", "Area", 2, 0), ("Volume", "Volume", 3, 0), ("Mean normal speed", "MeanNormalSpeed", 1, 1),
             ("Mean tangential speed", "MeanTangentialSpeed", 1, 1), ("Mean area rate", "MeanAreaRate", 0, 1),
