@@ -166,6 +166,7 @@ public:
   std::vector<SeriesStep> Steps; // those read so far
   std::vector<double> Times;     // of an input with time steps; empty otherwise
   double Interval = 1.0;         // between separate inputs
+  glue::FeatureList Features;
   bool IsDone = false;
   conformal::KnownRegistrations Known;
 
@@ -408,7 +409,8 @@ private:
     }
     UsedStep used;
     used.Surface = step.Surface;
-    used.Registered = glue::ToSurfaceToRegister(self, step.Surface, {}, this->Frame, run);
+    used.Registered =
+      glue::ToSurfaceToRegister(self, step.Surface, this->Features, this->Frame, run);
     // Reject maps that registration would reject.
     const conformal::PreparedSurface usable(used.Registered.Core, {}, false, false, "given");
     conformal::TimeStep input;
@@ -514,6 +516,23 @@ vtkSphericalTimeSeries::vtkSphericalTimeSeries()
 vtkSphericalTimeSeries::~vtkSphericalTimeSeries() = default;
 
 //------------------------------------------------------------------------------
+void vtkSphericalTimeSeries::AddFeature(const char* name, double weight)
+{
+  this->Features.emplace_back(name ? name : "", weight);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalTimeSeries::RemoveAllFeatures()
+{
+  if (!this->Features.empty())
+  {
+    this->Features.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkTable* vtkSphericalTimeSeries::GetTable()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
@@ -611,6 +630,8 @@ int vtkSphericalTimeSeries::RequestData(
           request->Set(Executive::CONTINUE_EXECUTING(), 1);
           return;
         }
+        series.Features = this->Features;
+        options.FeatureWeights = glue::WeightsOf(series.Features);
         series.Compute(this, options, this->ReferenceStep, this->LandmarkArrayName);
       }
       if (series.IsDone)
@@ -633,4 +654,5 @@ void vtkSphericalTimeSeries::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "NumberOfSweeps: " << this->NumberOfSweeps << "\n";
   os << indent << "LandmarkArrayName: " << this->LandmarkArrayName << "\n";
+  os << indent << "NumberOfFeatures: " << this->Features.size() << "\n";
 }

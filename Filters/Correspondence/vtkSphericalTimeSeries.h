@@ -72,8 +72,10 @@
 #include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for the time steps
-#include <string> // for names
+#include <memory>  // for the time steps
+#include <string>  // for names
+#include <utility> // for Features
+#include <vector>  // for Features
 
 class vtkTable;
 
@@ -160,6 +162,19 @@ public:
   vtkGetMacro(LandmarkArrayName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Add a feature, a number at each point that should be equal at corresponding points, such as the
+   * brightness of cells. The arguments are the name of a point array with 1 component, which all
+   * surfaces have, and a weight, as in vtkSphericalRegistration. Features show motion along the
+   * surface, such as the rotation of a round body, if patterns move by less than half of their
+   * size between two time steps. Default is none.
+   */
+  void AddFeature(const char* name, double weight);
+  void RemoveAllFeatures();
+  int GetNumberOfFeatures() { return static_cast<int>(this->Features.size()); }
+  ///@}
+
   /**
    * Return the table of time steps, output port 1.
    */
@@ -189,6 +204,7 @@ private:
   int Frequency = 16;
   int NumberOfSweeps = 1;
   std::string LandmarkArrayName;
+  std::vector<std::pair<std::string, double>> Features;
   std::unique_ptr<Series> Kept; // time steps of the last run, and known registrations
 };
 

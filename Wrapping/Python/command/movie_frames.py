@@ -8,13 +8,15 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-from conformalsom import vtkBodyMap, vtkConformalSOM, vtkGlobalConformalMap, vtkVolumeSurfacePoints
+from conformalsom import (
+    vtkBodyMap, vtkConformalSOM, vtkGlobalConformalMap, vtkSurfaceLayers, vtkVolumeSurfacePoints)
 from conformalsom.messages import heard
 
 from . import mapped_files, scan_files, shape_steps, volumes
 from .steps import StepFailed
 
 SPHERE = shape_steps.SPHERE
+BRIGHTNESS = "LayerMean"
 
 
 class Frame(typing.NamedTuple):
@@ -57,6 +59,7 @@ class Surfaces:
         self.options, self.steps = options, steps
         self.last = None
         self.unit = ""  # that of the first volume that has one
+        self.channels = None  # number of channels of the first volume that can be used
 
     def of_all(self, frames):
         """The surface of each frame, or None for those that are skipped, of which there is a note."""
@@ -94,14 +97,30 @@ class Surfaces:
     def of_volume(self, frame):
         """The surface around the object in a volume."""
         volume, unit = volumes.read(frame.path, self.steps, f"Read {frame.name}", frame.time)
-        self.unit = self.unit or unit
+        channels = volume.GetNumberOfScalarComponents()
+        if channels != (self.channels or channels):
+            raise Skipped(f"it has {channels} channels instead of {self.channels}")
         points = vtkVolumeSurfacePoints()
         points.SetInputData(volume)
         points.SetComponent(self.options.channel)
         self.steps.run(f"Find the outside of {frame.name}", points)
         if points.GetOutput().GetNumberOfPoints() == 0:
             raise Skipped("no object found")
-        return self.learned(points.GetOutput(), frame)
+        surface = self.with_brightness(self.learned(points.GetOutput(), frame), volume, frame)
+        self.unit, self.channels = self.unit or unit, channels
+        return surface
+
+    def with_brightness(self, surface, volume, frame):
+        """The surface with the mean brightness of its layers, which shows motion along the surface."""
+        layers = vtkSurfaceLayers()
+        layers.SetInputData(surface)
+        layers.SetVolumeData(volume)
+        layers.SetComponent(self.options.channel)
+        if self.options.depths:
+            layers.SetDepthRange(self.options.depths)
+        layers.SetImageSize(1, 1)
+        self.steps.run(f"Sample the brightness of {frame.name}", layers)
+        return layers.GetOutput()
 
     def learned(self, points, frame):
         """The closed surface of points, learned from that of the frame before if that is near."""

@@ -21,6 +21,7 @@ COLUMNS = {"area": "Area", "volume": "Volume", "mean_normal_speed": "MeanNormalS
            "folds": "NumberOfFolds"}  # of the table, and their names in that of vtkSphericalTimeSeries
 LARGEST_FILE = 2**32 - 2**21
 DEFAULT_ARRAY = "AreaRate"
+BRIGHTNESS_WEIGHT = 1.0  # as that of the shape, see vtkSphericalTimeSeries
 
 
 def make(task, options, _, steps):
@@ -36,12 +37,12 @@ def make(task, options, _, steps):
         raise ValueError(f"{task.scan}: frame {reference}, {frames[reference].name}, cannot be used as reference; "
                          "choose another by --reference")
     found[reference] = movie_frames.with_long_axis(found[reference], steps)
-    series = Series(found, reference, options.interval, steps)
-    kept = [k for k in usable if series.state(k) != "skipped"]
-    maker = LayerMaps if options.has_volumes else ArrayMaps
-    maps = maker(options, series, steps)
-    for k in kept:
-        maps.add(k, frames[k])
+    series = Series(found, reference, options, steps)
+    maps = (LayerMaps if options.has_volumes else ArrayMaps)(options, series, steps)
+    for k in usable:
+        if series.state(k) != "skipped":
+            maps.add(k, frames[k])
+    kept = sorted(maps.surfaces)
     unit = options.unit or surfaces.unit
     if len(kept) == 1 and not options.has_volumes:
         steps.note("Maps", "there is one frame only, so that all rates are 0")
@@ -58,13 +59,15 @@ def make(task, options, _, steps):
 class Series:
     """The surfaces of all frames with maps that correspond. An empty surface stands for a skipped frame."""
 
-    def __init__(self, surfaces, reference, interval, steps):
-        self.reference, self.interval, self.steps = reference, interval, steps
+    def __init__(self, surfaces, reference, options, steps):
+        self.reference, self.interval, self.steps = reference, options.interval, steps
         self.filter = vtkSphericalTimeSeries()
         for surface in surfaces:
             self.filter.AddInputDataObject(vtkPolyData() if surface is None else surface)
         self.filter.SetReferenceStep(reference)
-        self.filter.SetTimeInterval(interval)
+        self.filter.SetTimeInterval(self.interval)
+        if options.has_volumes:
+            self.filter.AddFeature(movie_frames.BRIGHTNESS, BRIGHTNESS_WEIGHT)
         steps.run("Make the maps correspond", self.filter, lambda: self.filter.UpdateTimeStep(0.0),
                   known=lambda text: text.endswith("is skipped and interpolated: the surface is empty"))
 
@@ -247,7 +250,6 @@ def stack_of(pixels, spacing):
 
 def write_all(task, options, steps, maps, series, kept, unit):
     """Write all files, the stack of maps last."""
-    kept = [k for k in kept if k in maps.surfaces]
     for k in kept if options.surfaces else []:
         writer = vtkXMLPolyDataWriter()
         writer.SetInputData(maps.surfaces[k])

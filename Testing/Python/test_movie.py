@@ -1,0 +1,380 @@
+"""The command conformalsom movie: cells of a moving body keep their places in the maps, files are read back, frames
+that cannot be used are skipped, and the page shows all times."""
+import csv
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import reference, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkStaticCellLocator
+from vtkmodules.vtkIOImage import vtkMetaImageWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import conformalsom as cs
+from browser import CHROMIUM, Browser
+
+try:
+    import tifffile
+except ImportError:
+    tifffile = None
+
+COMMAND = os.environ["CONFORMALSOM_COMMAND"]
+STEPS = 3
+TURN = np.radians(4.0)  # of the body between two frames
+GROWTH = 1.03  # of the body between two frames
+RADII = np.array([15.0, 12.0, 10.0])  # in voxels
+SIZE = 44, 36, 32
+SPACING = 0.5, 0.5, 1.0
+LARGEST_SLIP = 0.5  # mean angle between the places of a cell in two frames, per mean angle by which cells move
+
+
+def rotation(step):
+    """The rotation of the body at a time step, about an axis that is none of its own."""
+    axis = np.array([0.3, 0.5, 0.8]) / np.linalg.norm([0.3, 0.5, 0.8])
+    c = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
+    return np.eye(3) + np.sin(step * TURN) * c + (1.0 - np.cos(step * TURN)) * c @ c
+
+
+def reach(directions):
+    """Distance of the body's outside from that of an ellipsoid, as a factor: three lobes."""
+    lobes = np.array([[0.9, 0.3, 0.3], [-0.6, 0.7, -0.4], [-0.2, -0.8, 0.5]])
+    lobes /= np.linalg.norm(lobes, axis=1)[:, None]
+    return 0.85 + 0.3 * np.exp((directions @ lobes.T - 1.0) / 0.08).sum(axis=1)
+
+
+def cells(number=60):
+    """Positions of cells on the body at the start, in voxels from its center."""
+    directions = np.random.default_rng(4).normal(size=(number, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    return RADII * directions * reach(directions)[:, None]
+
+
+def positions_of_cells(step):
+    """Coordinates of the cells at a time step, in the unit of the volume."""
+    moved = GROWTH**step * cells() @ rotation(step).T + 0.5 * (np.array(SIZE) - 1.0)
+    return moved * SPACING
+
+
+def frame_of(step, channels=1):
+    """A volume: cells of known brightness on an ellipsoid that grows and turns. slices x rows x columns x channels."""
+    k, j, i = np.meshgrid(*(np.arange(n) for n in SIZE[::-1]), indexing="ij")
+    positions = np.column_stack([i.ravel(), j.ravel(), k.ravel()]) - 0.5 * (np.array(SIZE) - 1.0)
+    body = positions @ rotation(step) / GROWTH**step / RADII
+    directions = body / np.linalg.norm(body, axis=1)[:, None].clip(1e-9)
+    length = np.linalg.norm(body, axis=1) / reach(directions)
+    places = cells() / RADII
+    nearest = (directions @ (places / np.linalg.norm(places, axis=1)[:, None]).T).argmax(axis=1)
+    brightness = 120.0 + 2.0 * nearest
+    values = brightness / (1.0 + np.exp((length - 1.0) * RADII.min() * 2.0))
+    values = values.reshape(SIZE[::-1]).astype(np.uint8)[..., None]
+    return np.concatenate([values, *(channel * np.ones_like(values) for channel in range(1, channels))], axis=3)
+
+
+def image_of(values, spacing=SPACING):
+    image = vtkImageData()
+    image.SetDimensions(*values.shape[2::-1])
+    image.SetSpacing(*spacing)
+    image.GetPointData().SetScalars(numpy_to_vtk(values.reshape(-1, values.shape[3]), deep=True))
+    return image
+
+
+def write_stack(path, values, frames=1, interval=1.0, unit="micron"):
+    writer = cs.vtkTIFFStackWriter()
+    writer.SetInputData(image_of(values))
+    writer.SetNumberOfFrames(frames)
+    writer.SetFrameInterval(interval)
+    writer.SetUnit(unit)
+    writer.SetFileName(path)
+    writer.Write()
+
+
+def head(step, frequency):
+    """A closed surface that grows by a tenth of its area in each step, with colors."""
+    source = cs.vtkGeodesicSphereSource()
+    source.SetFrequency(frequency)
+    source.Update()
+    n = vtk_to_numpy(source.GetOutput().GetPoints().GetData()).astype(float)
+    reach = 1.0 + 0.4 * np.exp((n @ [0.6, 0.0, 0.8] - 1.0) / 0.1)
+    surface, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(1.1**(0.5 * step) * reach[:, None] * n * [1.6, 1.0, 0.9], deep=True))
+    surface.SetPoints(points)
+    surface.SetPolys(source.GetOutput().GetPolys())
+    colors = numpy_to_vtk((127.5 * (n + 1.0)).astype(np.uint8), deep=True)
+    colors.SetName("RGB")
+    surface.GetPointData().SetScalars(colors)
+    return surface
+
+
+def write_head(path, step, frequency=12):
+    writer = cs.vtkConformalPLYWriter()
+    writer.SetInputData(head(step, frequency))
+    writer.SetFileName(path)
+    writer.Write()
+
+
+def map_of(path, frame=0, interval=1.0):
+    """A frame of a stack of maps: slices x rows x columns x channels, first row in the south."""
+    reader = cs.vtkTIFFStackReader()
+    reader.SetFileName(path)
+    reader.SetYAxisToUp()
+    reader.UpdateTimeStep(frame * interval)
+    image = reader.GetOutput()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(*image.GetDimensions()[::-1], -1)
+
+
+def angles(a, b):
+    """Angles between unit vectors."""
+    return 2.0 * np.arcsin(np.clip(0.5 * np.linalg.norm(a - b, axis=1), 0.0, 1.0))
+
+
+def sphere_positions(surface, positions):
+    """Where the closest points of a surface are mapped to."""
+    locator, found = vtkStaticCellLocator(), []
+    locator.SetDataSet(surface.polydata)
+    locator.BuildLocator()
+    for position in positions:
+        closest, cell = [0.0, 0.0, 0.0], reference(0)
+        locator.FindClosestPoint(position, closest, cell, reference(0), reference(0.0))
+        corners = surface.faces[int(cell)]
+        a, b, c = surface.points[corners].astype(float)
+        second, third = np.linalg.lstsq(np.column_stack([b - a, c - a]), closest - a, rcond=None)[0]
+        found.append([1.0 - second - third, second, third] @ surface.sphere[corners])
+    return np.array(found) / np.linalg.norm(found, axis=1)[:, None]
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class TestMovie(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.made = tempfile.TemporaryDirectory()
+        for step in range(STEPS):
+            write_stack(os.path.join(cls.made.name, f"frame{step}.tif"), frame_of(step))
+            write_head(os.path.join(cls.made.name, f"head{step}.ply"), step, 12 + step)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.made.cleanup()
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def frame(self, name):
+        return os.path.join(self.made.name, name)
+
+    def run_movie(self, *arguments, status=0):
+        completed = subprocess.run([COMMAND, "movie", *arguments], text=True, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, check=False)
+        self.assertEqual(completed.returncode, status, completed.stderr)
+        return completed
+
+    def test_cells_keep_their_places(self):
+        names = [self.frame(f"frame{step}.tif") for step in range(STEPS)]
+        completed = self.run_movie(*names, "-o", self.path("map.tif"), "--time-step", "30", "--depths", "-2", "1",
+                                   "--size", "128", "--surfaces", self.path("surfaces"), "--table", self.path("map.csv"))
+        self.assertEqual(completed.stderr, "")
+        self.assertEqual(completed.stdout, f"wrote {self.path('map.tif')}: 3 of 3 frames, 13 layers, 1 channel, 128 x 64 "
+                                           "pixels\n")
+        self.expect_places()
+        self.expect_brightness()
+        rows = rows_of(self.path("map.csv"))
+        self.assertEqual([row["time"] for row in rows], ["0.0", "30.0", "60.0"])
+        self.assertEqual([row["state"] for row in rows], ["reference", "registered", "registered"])
+        areas, volumes = ([float(row[name]) for row in rows] for name in ("area", "volume"))
+        self.assertLess(abs(areas[2] / areas[0] / GROWTH**4 - 1.0), 0.02)
+        self.assertLess(abs(volumes[2] / volumes[0] / GROWTH**6 - 1.0), 0.02)
+        growth = 2.0 * np.log(GROWTH) / 30.0  # of areas per second
+        self.assertLess(abs(float(rows[1]["mean_area_rate"]) / growth - 1.0), 0.15)
+
+    def expect_places(self):
+        """Expect that each cell has the same position on the sphere in all frames."""
+        places = []
+        for step in range(STEPS):
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(self.path(f"surfaces/frame{step}.vtp"))
+            reader.Update()
+            data = reader.GetOutput()
+            for name in ("Velocity", "AreaRate", "Layers", "LayerMaximum"):
+                self.assertTrue(data.GetPointData().HasArray(name), name)
+            places.append(sphere_positions(cs.Surface(data), positions_of_cells(step)))
+        start = cells() / np.linalg.norm(cells(), axis=1)[:, None]
+        for step in range(1, STEPS):
+            moved = angles(start @ rotation(step).T, start).mean()
+            self.assertLess(angles(places[step], places[0]).mean(), LARGEST_SLIP * moved)
+
+    def expect_brightness(self):
+        """Expect that maps of neighboring times show the same cells in the same pixels."""
+        first, last = (map_of(self.path("map.tif"), frame, 30.0)[4, 16:48, :, 0].astype(float) for frame in (0, 2))
+        self.assertGreater(first.std(), 15.0)
+        self.assertGreater(np.corrcoef(first.ravel(), last.ravel())[0, 1], 0.7)
+
+    def test_files_have_axes_spacing_and_interval(self):
+        stack = np.concatenate([frame_of(step, 2) for step in range(2)])
+        write_stack(self.path("movie.tif"), stack, 2, 12.5)
+        self.run_movie(self.path("movie.tif"), "-o", self.path("map.tif"), "--projection", "mercator", "--size", "64")
+        reader = cs.vtkTIFFStackReader()
+        reader.SetFileName(self.path("map.tif"))
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetDimensions(), (64, 64, 17))
+        self.assertEqual(reader.GetOutput().GetNumberOfScalarComponents(), 2)
+        self.assertEqual(reader.GetOutput().GetScalarTypeAsString(), "unsigned char")
+        across, up, deep = reader.GetOutput().GetSpacing()
+        self.assertEqual(across, up)
+        self.assertTrue(0.4 < across < 1.5, across)
+        self.assertLess(abs(deep - 0.25), 0.1)
+        self.assertEqual(map_of(self.path("map.tif"), 1, 12.5)[..., 1].max(), 1)  # the second channel
+        with open(self.path("map.tif"), "rb") as file:
+            head_ = file.read(1000).decode("latin-1")
+        self.assertIn("images=68\nchannels=2\nslices=17\nframes=2\nhyperstack=true\n", head_)
+        self.assertIn("finterval=12.5\nunit=micron\n", head_)
+        if tifffile is not None:
+            with tifffile.TiffFile(self.path("map.tif")) as file:
+                self.assertEqual((file.series[0].axes, file.series[0].shape), ("TZCYX", (2, 17, 2, 64, 64)))
+                self.assertEqual(file.imagej_metadata["finterval"], 12.5)
+
+    def test_surfaces_become_maps_of_growth_and_of_colors(self):
+        names = [self.frame(f"head{step}.ply") for step in range(STEPS)]
+        self.run_movie(*names, "-o", self.path("growth.tif"), "--size", "64", "--time-step", "10", "--unit", "mm")
+        rate = map_of(self.path("growth.tif"), 1, 10.0)
+        self.assertEqual(rate.shape, (1, 32, 64, 1))
+        self.assertLess(abs(np.median(rate) / (np.log(1.1) / 10.0) - 1.0), 0.1)
+        self.run_movie(*names, "-o", self.path("colors.tif"), "--array", "RGB", "--size", "64")
+        maps = [map_of(self.path("colors.tif"), frame) for frame in range(STEPS)]
+        self.assertEqual((maps[0].shape, maps[0].dtype), ((1, 32, 64, 3), np.uint8))
+        self.assertLess(np.abs(maps[2].astype(int) - maps[0]).mean(), 6.0)  # of 255
+        completed = self.run_movie(*names, "-o", self.path("none.tif"), "--array", "Nothing", status=1)
+        self.assertIn("no point array Nothing; there are", completed.stderr)
+        self.assertFalse(os.path.exists(self.path("none.tif")))
+
+    def test_broken_frames_are_skipped_and_named(self):
+        with open(self.frame("frame1.tif"), "rb") as whole, open(self.path("torn.tif"), "wb") as torn:
+            torn.write(whole.read()[:20000])
+        write_stack(self.path("dark.tif"), np.zeros((*SIZE[::-1], 1), np.uint8))
+        write_stack(self.path("two.tif"), frame_of(2, 2))
+        completed = self.run_movie(
+            self.path("torn.tif"), self.frame("frame0.tif"), self.path("dark.tif"), self.path("two.tif"), "-o",
+            self.path("map.tif"), "--size", "32", "--table", self.path("map.csv"), "--surfaces", self.path("s"),
+            "--page", self.path("map.html"), status=1)
+        for name in ("torn", "dark", "two"):
+            self.assertRegex(completed.stderr, f"note: {name}: the frame is skipped: ")
+        self.assertNotIn("interpolated", completed.stderr)
+        self.assertIn("1 of 4 frames", completed.stdout)
+        self.assertEqual([row["state"] for row in rows_of(self.path("map.csv"))],
+                         ["skipped", "reference", "skipped", "skipped"])
+        self.assertEqual([map_of(self.path("map.tif"), frame).max() > 0 for frame in range(4)],
+                         [False, True, False, False])
+        self.assertEqual(os.listdir(self.path("s")), ["frame0.vtp"])
+
+    def test_frames_may_differ_in_size_and_type(self):
+        write_stack(self.path("large.tif"), np.pad(frame_of(1), ((1, 2), (3, 0), (0, 4), (0, 0))))
+        writer = vtkMetaImageWriter()
+        writer.SetInputData(image_of(frame_of(2)))
+        writer.SetFileName(self.path("other.mha"))
+        writer.Write()
+        completed = self.run_movie(self.frame("frame0.tif"), self.path("large.tif"), self.path("other.mha"), "-o",
+                                   self.path("map.tif"), "--size", "32", "--reference", "1")
+        self.assertEqual(completed.stderr, "")
+        self.assertTrue(all(map_of(self.path("map.tif"), frame).max() > 100 for frame in range(3)))
+
+    def test_unsuitable_calls_leave_no_files(self):
+        frame, mesh = self.frame("frame0.tif"), self.frame("head0.ply")
+        with open(self.path("text.tif"), "w", encoding="ascii") as file:
+            file.write("no picture")
+        for arguments, message, status in (
+                ([frame, mesh], "some frames are volumes", 2), ([frame, "--array", "RGB"], "--array is of surfaces", 2),
+                ([mesh, "--depths", "-1", "1"], "are of volumes", 2), ([frame, "--depths", "1", "1"], "less than", 2),
+                ([frame, "--reference", "1"], "there are 1 frames", 2), ([frame, "--time-step", "0"], "must be in", 2),
+                ([frame, frame, "--surfaces", self.path("s")], "two frames have the name frame0", 2),
+                ([self.path("text.tif")], "no frame can be used", 1), ([self.path("nothing.tif")], "No such file", 1),
+                ([self.path("text.tif"), frame, "--reference", "0"], "cannot be used as reference", 1),
+                ([frame, "--channel", "1"], "no frame can be used", 1),
+                ([frame, "--depths", "-400", "400", "--size", "16384"], "would exceed 4 GB", 1)):
+            with self.subTest(arguments):
+                completed = self.run_movie(*arguments, "-o", self.path("map.tif"), status=status)
+                self.assertIn(message, completed.stderr)
+        self.assertEqual(os.listdir(self.folder.name), ["text.tif"])
+        shutil.copy(frame, self.path("map.tif"))
+        self.assertIn("already exists", self.run_movie(frame, "-o", self.path("map.tif"), status=2).stderr)
+        completed = self.run_movie(self.path("map.tif"), "-o", self.path("map.tif"), "--overwrite", status=2)
+        self.assertIn("is an input", completed.stderr)
+
+    @unittest.skipUnless(CHROMIUM, "needs chromium")
+    def test_page_shows_all_times(self):
+        names = [self.frame(f"head{step}.ply") for step in range(STEPS)]
+        self.run_movie(*names, "-o", self.path("growth.tif"), "--size", "64", "--page", self.path("page.html"),
+                       "--array", "RGB")
+        with open(self.path("page.html"), encoding="utf-8") as file:
+            self.assertEqual(re.findall(r"https?://", file.read()), [])
+        with Browser() as browser:
+            browser.open(self.path("page.html"))
+            self.assertEqual(browser.evaluate("document.title"), "growth")
+            self.assertEqual(browser.evaluate("document.getElementById('time').max"), "2")
+            colors = "Array.from(document.getElementById('color').options, (o) => o.text)"
+            self.assertEqual(browser.evaluate(colors), ["RGB", "AreaRate", "ShearRate", "NormalVelocity"])
+            seen = [self.shown(browser, time, color) for time, color in ((0, 0), (2, 0), (2, 1), (1, 1))]
+            self.assertIn("head1", browser.evaluate("document.getElementById('when').textContent"))
+            self.assertEqual(len(set(seen)), len(seen))
+            browser.drag((300, 300), (380, 340))
+            self.assertNotEqual(self.shown(browser, 1, 1), seen[-1])
+            self.assertEqual(browser.messages, [])
+            self.assertEqual([url for url in browser.requests if not url.startswith(("file:", "data:image/png;"))], [])
+
+    def shown(self, browser, time, color):
+        """What the browser shows of a time and an array, as a file of a picture."""
+        browser.evaluate(f"(() => {{ const t = document.getElementById('time'); t.value = {time};"
+                         f"document.getElementById('color').value = {color};"
+                         "document.body.dataset.frame = ''; t.dispatchEvent(new Event('input')); })()")
+        for _ in range(100):
+            browser.drawn()
+            if browser.evaluate("document.body.dataset.frame") == str(time):
+                break
+        browser.drawn()
+        browser.screenshot(self.path("shown.png"))
+        with open(self.path("shown.png"), "rb") as file:
+            return file.read()
+
+
+class TestFunctions(unittest.TestCase):
+    def test_volumes_become_series_and_layers(self):
+        volumes = [frame_of(step)[..., 0] for step in range(2)]
+        first = cs.surface_from_volume(volumes[0], spacing=SPACING)
+        second = cs.surface_from_volume(volumes[1], spacing=SPACING, start=first, smoothing=1.0)
+        series = cs.time_series([first, second], time_interval=30.0, frequency=8)
+        self.assertEqual(len(series.surfaces), 2)
+        self.assertEqual(list(series.table["State"]), ["reference", "registered"])
+        np.testing.assert_array_equal(series.table["Time"], [0.0, 30.0])
+        self.assertLess(abs(series.table["RelativeArea"][1] / GROWTH**2 - 1.0), 0.02)
+        self.assertIn("AreaRate", series.surfaces[1].point_data)
+        layers = series.surfaces[1].layers(volumes[1], spacing=SPACING, depth_range=(-1, 1), number_of_layers=3,
+                                           image_size=(64, 32))
+        self.assertEqual(layers.maps.shape, (3, 32, 64))
+        np.testing.assert_allclose(layers.depths, [-1.0, 0.0, 1.0])
+        self.assertGreater(layers.maps[0].mean(), layers.maps[2].mean() + 30.0)  # dark outside
+        self.assertIn("LayerMaximum", layers.surface.point_data)
+        self.assertLess(abs(layers.spacing[0] * 64 / np.sqrt(np.pi * series.table["Area"][1]) - 1.0), 0.01)
+
+    def test_unsuitable_volumes_raise_errors(self):
+        for volume, error in ((np.zeros((3, 4)), ValueError), ("nothing.tif", FileNotFoundError), ("a.xyz", ValueError),
+                              (np.array([[["a"]]]), TypeError), (np.zeros((9, 9, 9)), cs.FilterFailed)):
+            with self.subTest(str(volume)[:20]), self.assertRaises(error):
+                cs.surface_from_volume(volume)
+        with self.assertRaises(ValueError):
+            cs.surface_from_volume(np.zeros((9, 9, 9)), spacing=(1, 0, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()
