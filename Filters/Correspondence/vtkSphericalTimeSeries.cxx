@@ -290,35 +290,29 @@ private:
         stretches.back() = this->Used[k].Result.Stretch;
         growths.back() = MeanOver(mesh, motion.AreaRates);
         shears.back() = MeanOver(mesh, motion.ShearRates);
-        normals.back() = MeanOver(mesh, SpeedsOf(motion.Normal)) * this->Frame.Unit;
-        tangents.back() = MeanOver(mesh, SpeedsOf(motion.Tangential)) * this->Frame.Unit;
+        normals.back() = MeanOver(mesh, SpeedsOf(motion.Normal));
+        tangents.back() = MeanOver(mesh, SpeedsOf(motion.Tangential));
       }
     }
-    const double area = areas[this->Reference], volume = volumes[this->Reference],
-                 unit = this->Frame.Unit;
-    std::vector<double> relativeAreas, relativeVolumes;
+    const double area = areas[this->Reference], volume = volumes[this->Reference];
     for (std::size_t s = 0; s < times.size(); ++s)
     {
-      relativeAreas.push_back(areas[s] / area);
-      relativeVolumes.push_back(volume != 0.0 ? volumes[s] / volume : 0.0);
-      areas[s] *= unit * unit;
-      volumes[s] *= unit * unit * unit;
+      areas[s] /= area;
+      volumes[s] = volume != 0.0 ? volumes[s] / volume : 0.0;
     }
     this->Rows = vtkSmartPointer<vtkTable>::New();
     vtkFieldData* rows = this->Rows->GetRowData();
     glue::AddNumbers(rows, "Time", times);
     rows->AddArray(states);
-    glue::AddNumbers(rows, "Area", areas);
-    glue::AddNumbers(rows, "Volume", volumes);
-    glue::AddNumbers(rows, "RelativeArea", relativeAreas);
-    glue::AddNumbers(rows, "RelativeVolume", relativeVolumes);
+    glue::AddNumbers(rows, "RelativeArea", areas);
+    glue::AddNumbers(rows, "RelativeVolume", volumes);
     glue::AddNumbers(rows, "RelativeDisplacement", moves);
     glue::AddNumbers(rows, "RegistrationStretch", stretches);
     rows->AddArray(folds);
     glue::AddNumbers(rows, "MeanAreaRate", growths);
     glue::AddNumbers(rows, "MeanShearRate", shears);
-    glue::AddNumbers(rows, "MeanNormalSpeed", normals);
-    glue::AddNumbers(rows, "MeanTangentialSpeed", tangents);
+    glue::AddLengths(rows, "MeanNormalSpeed", normals, this->Frame);
+    glue::AddLengths(rows, "MeanTangentialSpeed", tangents, this->Frame);
   }
 
   // Convert all surfaces, and find those that cannot be used.

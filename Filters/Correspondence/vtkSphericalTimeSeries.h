@@ -34,8 +34,6 @@
  * Output port 1: vtkTable, a row for each time step of the input:
  * - "Time" (double).
  * - "State" (string): "reference", "registered" or "skipped".
- * - "Area" and "Volume" (double): area and volume of the surface, in units of length squared and
- *   cubed.
  * - "RelativeArea" and "RelativeVolume" (double): area and volume of the surface, divided by those
  *   of the surface of ReferenceStep.
  * - "RelativeDisplacement" (double): mean distance to the same position on the sphere at the

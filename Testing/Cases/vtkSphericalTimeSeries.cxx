@@ -75,7 +75,8 @@ Case SphericalTimeSeries()
       f->SetNumberOfSweeps(0);
       f->SetShapeWeight(0.0);
     },
-    { { "Velocity", 1 }, { "NormalVelocity", 1 }, { "TangentialVelocity", 1 } }) };
+    { { "Velocity", 1 }, { "NormalVelocity", 1 }, { "TangentialVelocity", 1 },
+      { "MeanNormalSpeed", 1 }, { "MeanTangentialSpeed", 1 } }) };
   all.Progress = { { "three surfaces",
     []() -> Maker
     {

@@ -1,6 +1,8 @@
 """The command conformalsom movie: cells of a moving body keep their places in the maps, files are read back, frames
 that cannot be used are skipped, and the page shows all times."""
+import contextlib
 import csv
+import io
 import os
 import re
 import shutil
@@ -12,11 +14,13 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkStaticCellLocator
+from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkIOImage import vtkMetaImageWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import conformalsom as cs
 from browser import CHROMIUM, Browser
+from conformalsom.command import movie
 
 try:
     import tifffile
@@ -150,6 +154,17 @@ def sphere_positions(surface, positions):
 def rows_of(path):
     with open(path, encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
+
+
+def usage_error(*arguments):
+    """The error of a call that makes no sense."""
+    text = io.StringIO()
+    try:
+        with contextlib.redirect_stderr(text):
+            movie.arguments(list(arguments))
+    except SystemExit as error:
+        return text.getvalue() if error.code == 2 else f"status {error.code}"
+    return "no error"
 
 
 class TestMovie(unittest.TestCase):
@@ -294,23 +309,26 @@ class TestMovie(unittest.TestCase):
         frame, mesh = self.frame("frame0.tif"), self.frame("head0.ply")
         with open(self.path("text.tif"), "w", encoding="ascii") as file:
             file.write("no picture")
-        for arguments, message, status in (
-                ([frame, mesh], "some frames are volumes", 2), ([frame, "--array", "RGB"], "--array is of surfaces", 2),
-                ([mesh, "--depths", "-1", "1"], "are of volumes", 2), ([frame, "--depths", "1", "1"], "less than", 2),
-                ([frame, "--reference", "1"], "there are 1 frames", 2), ([frame, "--time-step", "0"], "must be in", 2),
-                ([frame, frame, "--surfaces", self.path("s")], "two frames have the name frame0", 2),
-                ([self.path("text.tif")], "no frame can be used", 1), ([self.path("nothing.tif")], "No such file", 1),
-                ([self.path("text.tif"), frame, "--reference", "0"], "cannot be used as reference", 1),
-                ([frame, "--channel", "1"], "no frame can be used", 1),
-                ([frame, "--depths", "-400", "400", "--size", "16384"], "would exceed 4 GB", 1)):
+        for arguments, message in (
+                ([frame, mesh], "some frames are volumes"), ([frame, "--array", "RGB"], "--array is of surfaces"),
+                ([mesh, "--depths", "-1", "1"], "are of volumes"), ([frame, "--depths", "1", "1"], "less than"),
+                ([frame, "--reference", "1"], "there are 1 frames"), ([frame, "--time-step", "0"], "must be in"),
+                ([frame, "--unit", "a=b"], "--unit must be a word"), ([frame, "--size", "15"], "not in [16, 16384]"),
+                ([frame, frame, "--surfaces", self.path("s")], "two frames have the name frame0")):
             with self.subTest(arguments):
-                completed = self.run_movie(*arguments, "-o", self.path("map.tif"), status=status)
+                self.assertIn(message, usage_error(*arguments, "-o", self.path("map.tif")))
+        self.assertIn("expected a file of type .tif .tiff", usage_error(frame, "-o", self.path("map.png")))
+        for arguments, message in (
+                ([self.path("text.tif")], "no frame can be used"), ([self.path("nothing.tif")], "No such file"),
+                ([self.path("text.tif"), frame, "--reference", "0"], "cannot be used as reference"),
+                ([frame, "--depths", "-400", "400", "--size", "16384"], "would exceed 4 GB")):
+            with self.subTest(arguments):
+                completed = self.run_movie(*arguments, "-o", self.path("map.tif"), status=1)
                 self.assertIn(message, completed.stderr)
         self.assertEqual(os.listdir(self.folder.name), ["text.tif"])
         shutil.copy(frame, self.path("map.tif"))
-        self.assertIn("already exists", self.run_movie(frame, "-o", self.path("map.tif"), status=2).stderr)
-        completed = self.run_movie(self.path("map.tif"), "-o", self.path("map.tif"), "--overwrite", status=2)
-        self.assertIn("is an input", completed.stderr)
+        self.assertIn("already exists", usage_error(frame, "-o", self.path("map.tif")))
+        self.assertIn("is an input", usage_error(self.path("map.tif"), "-o", self.path("map.tif"), "--overwrite"))
 
     @unittest.skipUnless(CHROMIUM, "needs chromium")
     def test_page_shows_all_times(self):
@@ -365,7 +383,9 @@ class TestFunctions(unittest.TestCase):
         np.testing.assert_allclose(layers.depths, [-1.0, 0.0, 1.0])
         self.assertGreater(layers.maps[0].mean(), layers.maps[2].mean() + 30.0)  # dark outside
         self.assertIn("LayerMaximum", layers.surface.point_data)
-        self.assertLess(abs(layers.spacing[0] * 64 / np.sqrt(np.pi * series.table["Area"][1]) - 1.0), 0.01)
+        mass = vtkMassProperties()
+        mass.SetInputData(second.polydata)
+        self.assertLess(abs(layers.spacing[0] * 64 / np.sqrt(np.pi * mass.GetSurfaceArea()) - 1.0), 0.01)
 
     def test_unsuitable_volumes_raise_errors(self):
         for volume, error in ((np.zeros((3, 4)), ValueError), ("nothing.tif", FileNotFoundError), ("a.xyz", ValueError),

@@ -76,7 +76,7 @@ class TimeSeries(typing.NamedTuple):
 
     surfaces: a surface for each time step. Points of the body have the same position on the sphere at all times. Point
     arrays "Velocity", "NormalVelocity", "TangentialVelocity", "AreaRate" and "ShearRate" are the motion.
-    table: columns with a number or text for each time step, by name, such as "Time", "State", "Area", "Volume" and
+    table: columns with a number or text for each time step, by name, such as "Time", "State", "RelativeArea" and
     "MeanAreaRate"; see conformalsom.vtkSphericalTimeSeries.
     """
     surfaces: typing.List[Surface]

@@ -6,7 +6,7 @@ import typing
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 
 from conformalsom import (
     vtkBodyMap, vtkConformalSOM, vtkGlobalConformalMap, vtkSurfaceLayers, vtkVolumeSurfacePoints)
@@ -171,3 +171,12 @@ def principal_axes(surface):
     center = areas @ middles / areas.sum()
     offsets = middles - center
     return center, np.linalg.eigh((offsets * areas[:, None]).T @ offsets)[1].T[::-1]
+
+
+def area_and_volume(surface):
+    """Area of a surface, and the volume inside."""
+    triangles, mass = vtkTriangleFilter(), vtkMassProperties()
+    triangles.SetInputData(surface)
+    mass.SetInputConnection(triangles.GetOutputPort())
+    mass.Update()
+    return mass.GetSurfaceArea(), mass.GetVolume()

@@ -14,8 +14,7 @@ WIDTH = 512  # of maps on the page, in pixels
 POINTS = 12000  # of the surface on the page
 LOWEST, HIGHEST = 1.0, 98.5  # percentiles of brightness that are black and white
 MOST = 98.0  # percentile of magnitudes at the end of other colors
-MEASURES = (("Area", "Area", 2, 0), ("Volume", "Volume", 3, 0), ("Mean normal speed", "MeanNormalSpeed", 1, 1),
-            ("Mean tangential speed", "MeanTangentialSpeed", 1, 1), ("Mean area rate", "MeanAreaRate", 0, 1),
+MEASURES = (("Mean normal speed", "MeanNormalSpeed", 1, 1), ("Mean tangential speed", "MeanTangentialSpeed", 1, 1), ("Mean area rate", "MeanAreaRate", 0, 1),
             ("Mean shear rate", "MeanShearRate", 0, 1))  # with powers of length and of 1 / time
 POWERS = {"AreaRate": (0, 1), "ShearRate": (0, 1), "NormalVelocity": (1, 1), "TangentialVelocity": (1, 1),
           "Velocity": (1, 1)}
@@ -45,12 +44,19 @@ def page_of(maps, kept, unit, options, steps):
         "arrays": arrays,
         "frames": [{"name": options.all_frames[k].name, "time": k * options.interval,
                     "points": data.add_vectors((points - 0.5 * (low + high)) / size),
-                    "measures": [[label, maps.series.value(k, column), unit_text(unit, length, time)]
-                                 for label, column, length, time in MEASURES]}
+                    "measures": measures_of(maps, k, unit)}
                    for k, points in zip(kept, all_points)],
     }
     title = os.path.splitext(os.path.basename(options.output))[0] or "Movie"
     return shape_page.filled(template(), title, description, data)
+
+
+def measures_of(maps, k, unit):
+    """Measures of a frame: names, numbers and units."""
+    area, volume = movie_frames.area_and_volume(maps.surfaces[k])
+    return [["Area", area, unit_text(unit, 2, 0)], ["Volume", volume, unit_text(unit, 3, 0)],
+            *([label, maps.series.value(k, column), unit_text(unit, length, time)]
+              for label, column, length, time in MEASURES)]
 
 
 def common_meshes(surfaces, steps):

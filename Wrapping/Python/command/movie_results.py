@@ -15,10 +15,10 @@ from . import movie_frames, movie_page, outputs, volumes
 PROJECTIONS = {"equirectangular": "Equirectangular", "lambert": "LambertAzimuthal", "mollweide": "Mollweide",
                "peirce": "PeirceQuincuncial", "mercator": "Mercator"}
 SQUARE = ("peirce", "mercator")
-COLUMNS = {"area": "Area", "volume": "Volume", "mean_normal_speed": "MeanNormalSpeed",
+COLUMNS = {"mean_normal_speed": "MeanNormalSpeed",
            "mean_tangential_speed": "MeanTangentialSpeed", "mean_area_rate": "MeanAreaRate",
            "mean_shear_rate": "MeanShearRate", "relative_displacement": "RelativeDisplacement",
-           "folds": "NumberOfFolds"}  # of the table, and their names in that of vtkSphericalTimeSeries
+           "folds": "NumberOfFolds"}  # of the table behind area and volume, and their names in that of vtkSphericalTimeSeries
 LARGEST_FILE = 2**32 - 2**21
 DEFAULT_ARRAY = "AreaRate"
 BRIGHTNESS_WEIGHT = 1.0  # as that of the shape, see vtkSphericalTimeSeries
@@ -207,7 +207,7 @@ class ArrayMaps(Maps):
         values = vtk_to_numpy(image.GetPointData().GetArray(name))
         self.put(k, values.reshape(1, self.size[1], self.size[0], -1))
         if k == self.series.reference:
-            radius = math.sqrt(self.series.value(k, "Area") / (4.0 * math.pi))
+            radius = math.sqrt(movie_frames.area_and_volume(surface)[0] / (4.0 * math.pi))
             scale = math.radians(radius) if self.options.projection == "equirectangular" else radius
             self.spacing = (*(scale * abs(length) for length in image.GetSpacing()[:2]), 1.0)
         self.surfaces[k] = surface
@@ -256,7 +256,7 @@ def write_all(task, options, steps, maps, series, kept, unit):
         outputs.write(steps, writer, options.surface_files[k], task.token, options.overwrite)
     if options.table:
         write_text(options.table, task, options, lambda file: csv.writer(file, lineterminator="\n").writerows(
-            rows_of(options, series, kept)))
+            rows_of(options, maps, kept)))
     if options.page:
         text = movie_page.page_of(maps, kept, unit, options, steps)
         write_text(options.page, task, options, lambda file: file.write(text))
@@ -277,13 +277,13 @@ def write_text(path, task, options, write):
             write(file)
 
 
-def rows_of(options, series, kept):
+def rows_of(options, maps, kept):
     """Rows of the table of measures; skipped frames have none."""
-    yield ["frame", "file", "time", "state", *COLUMNS]
+    yield ["frame", "file", "time", "state", "area", "volume", *COLUMNS]
     for k, frame in enumerate(options.all_frames):
         start = [k, os.path.basename(frame.path), repr(k * options.interval)]
         if k not in kept:
-            yield [*start, "skipped", *("" for _ in COLUMNS)]
+            yield [*start, "skipped", "", "", *("" for _ in COLUMNS)]
             continue
-        values = [series.value(k, column) for column in COLUMNS.values()]
-        yield [*start, series.state(k), *map(repr, values[:-1]), int(values[-1])]
+        values = [*movie_frames.area_and_volume(maps.surfaces[k]), *(maps.series.value(k, column) for column in COLUMNS.values())]
+        yield [*start, maps.series.state(k), *map(repr, values[:-1]), int(values[-1])]
