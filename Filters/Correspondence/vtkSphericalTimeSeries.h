@@ -165,8 +165,7 @@ public:
    * Add a feature, a number at each point that should be equal at corresponding points, such as the
    * brightness of cells. The arguments are the name of a point array with 1 component, which all
    * surfaces have, and a weight, as in vtkSphericalRegistration. Features show motion along the
-   * surface, such as the rotation of a round body, if patterns move by less than half of their
-   * size between two time steps. Default is none.
+   * surface that its shape does not show, such as the rotation of a round body. Default is none.
    */
   void AddFeature(const char* name, double weight);
   void RemoveAllFeatures();

@@ -22,7 +22,7 @@ import conformalsom as cs
 from browser import CHROMIUM, Browser
 from conformalsom.command import movie
 from helpers.moving_cells import (
-    GROWTH, SIZE, SPACING, angles, cells, frame_of, positions_of_cells, rotation, sphere_positions)
+    GROWTH, SIZE, SPACING, angles, cells, frame_of, image_of, positions_of_cells, rotation, sphere_positions)
 
 try:
     import tifffile
@@ -32,14 +32,6 @@ except ImportError:
 STEPS = 3
 COMMAND = os.environ["CONFORMALSOM_COMMAND"]
 LARGEST_SLIP = 0.5  # mean angle between the places of a cell in two frames, per mean angle by which cells move
-
-
-def image_of(values, spacing=SPACING):
-    image = vtkImageData()
-    image.SetDimensions(*values.shape[2::-1])
-    image.SetSpacing(*spacing)
-    image.GetPointData().SetScalars(numpy_to_vtk(values.reshape(-1, values.shape[3]), deep=True))
-    return image
 
 
 def write_stack(path, values, frames=1, interval=1.0, unit="micron"):

@@ -1,7 +1,8 @@
 """A body that grows and turns, with cells of known brightness: volumes made by code, and where each cell is."""
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import reference
-from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStaticCellLocator
 
 TURN = np.radians(4.0)  # of the body between two frames
 GROWTH = 1.03  # of the body between two frames
@@ -50,6 +51,16 @@ def frame_of(step, channels=1):
     values = brightness / (1.0 + np.exp((length - 1.0) * RADII.min() * 2.0))
     values = values.reshape(SIZE[::-1]).astype(np.uint8)[..., None]
     return np.concatenate([values, *(channel * np.ones_like(values) for channel in range(1, channels))], axis=3)
+
+
+def image_of(values, spacing=SPACING):
+    """An image of slices x rows x columns x channels."""
+    image = vtkImageData()
+    image.SetDimensions(*values.shape[2::-1])
+    image.SetSpacing(*spacing)
+    image.GetPointData().SetScalars(numpy_to_vtk(values.reshape(-1, values.shape[3]), deep=True))
+    image.GetPointData().GetScalars().SetName("Intensity")
+    return image
 
 
 def angles(a, b):
