@@ -97,8 +97,10 @@ public:
   ///@{
   /**
    * Number of time steps. The slices of the image are divided into so many volumes of equal size,
-   * the first time step first, as by vtkImageAppend with AppendAxis 2. The number of slices must be
-   * a multiple of it. At least 1. Default is 1.
+   * the first time step first. The number of slices must be a multiple of it. At least 1. Default
+   * is 1.
+   *
+   * vtkImageAppend with AppendAxis 2 makes such an image of the volumes of several time steps.
    */
   vtkSetClampMacro(NumberOfFrames, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfFrames, int);

@@ -14,7 +14,8 @@ WIDTH = 512  # of maps on the page, in pixels
 POINTS = 12000  # of the surface on the page
 LOWEST, HIGHEST = 1.0, 98.5  # percentiles of brightness that are black and white
 MOST = 98.0  # percentile of magnitudes at the end of other colors
-MEASURES = (("Mean normal speed", "MeanNormalSpeed", 1, 1), ("Mean tangential speed", "MeanTangentialSpeed", 1, 1), ("Mean area rate", "MeanAreaRate", 0, 1),
+MEASURES = (("Mean normal speed", "MeanNormalSpeed", 1, 1),
+            ("Mean tangential speed", "MeanTangentialSpeed", 1, 1), ("Mean area rate", "MeanAreaRate", 0, 1),
             ("Mean shear rate", "MeanShearRate", 0, 1))  # with powers of length and of 1 / time
 POWERS = {"AreaRate": (0, 1), "ShearRate": (0, 1), "NormalVelocity": (1, 1), "TangentialVelocity": (1, 1),
           "Velocity": (1, 1)}
@@ -107,7 +108,8 @@ def add_picture(data, pixels):
     """Append a PNG file; rows of pixels are from the south. Returns its place and size in bytes."""
     image = vtkImageData()
     image.SetDimensions(pixels.shape[1], pixels.shape[0], 1)
-    image.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(pixels).reshape(-1, pixels[0, 0].size), deep=True))
+    values = np.ascontiguousarray(pixels).reshape(-1, pixels[0, 0].size)
+    image.GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
     writer = vtkPNGWriter()
     writer.SetInputData(image)
     writer.WriteToMemoryOn()

@@ -2,6 +2,7 @@
 import csv
 import math
 import os
+import typing
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -18,7 +19,7 @@ SQUARE = ("peirce", "mercator")
 COLUMNS = {"mean_normal_speed": "MeanNormalSpeed",
            "mean_tangential_speed": "MeanTangentialSpeed", "mean_area_rate": "MeanAreaRate",
            "mean_shear_rate": "MeanShearRate", "relative_displacement": "RelativeDisplacement",
-           "folds": "NumberOfFolds"}  # of the table behind area and volume, and their names in that of vtkSphericalTimeSeries
+           "folds": "NumberOfFolds"}  # of the table, and their names in that of vtkSphericalTimeSeries
 LARGEST_FILE = 2**32 - 2**21
 DEFAULT_ARRAY = "AreaRate"
 BRIGHTNESS_WEIGHT = 1.0  # as that of the shape, see vtkSphericalTimeSeries
@@ -93,9 +94,11 @@ class Maps:
     def __init__(self, options, series, steps):
         self.options, self.series, self.steps = options, series, steps
         self.size = options.size, options.size if options.projection in SQUARE else max(options.size // 2, 1)
-        self.pixels, self.spacing = None, (1.0, 1.0, 1.0)
-        self.surfaces = {}  # by the number of the frame
-        self.pictures = {}  # of the page, by names of arrays: lists of numbers of frames, values and pixels outside
+        self.pixels: typing.Any = None
+        self.spacing = 1.0, 1.0, 1.0
+        self.surfaces: typing.Dict[int, vtkPolyData] = {}  # by the number of the frame
+        # Of the page, by names of arrays: numbers of frames, values, and pixels outside.
+        self.pictures: typing.Dict[str, typing.List[typing.Tuple[int, typing.Any, typing.Any]]] = {}
 
     def add(self, k, frame):
         """Map a frame, which is skipped if that fails."""
@@ -105,6 +108,10 @@ class Maps:
             if k == self.series.reference:
                 raise
             self.steps.note(frame.name, f"the frame is skipped: {error}")
+
+    def map(self, k, frame):
+        """Map a frame by put(), and keep its surface."""
+        raise NotImplementedError
 
     def allocate(self, layers, channels, kind):
         """Make room for all maps when the first one is known."""
@@ -119,10 +126,10 @@ class Maps:
         """Keep the map of a frame: layers x rows x columns x channels."""
         if self.pixels is None:
             self.allocate(values.shape[0], values.shape[3], values.dtype.type)
-        if values.shape != self.pixels.shape[1:]:
-            raise movie_frames.Skipped(f"its map has {values.shape[3]} channels instead of {self.pixels.shape[4]}")
-        whole = np.issubdtype(self.pixels.dtype, np.integer)
-        self.pixels[k] = np.rint(values) if whole else values
+        pixels: typing.Any = self.pixels
+        if values.shape != pixels.shape[1:]:
+            raise movie_frames.Skipped(f"its map has {values.shape[3]} channels instead of {pixels.shape[4]}")
+        pixels[k] = np.rint(values) if np.issubdtype(pixels.dtype, np.integer) else values
 
     def set_projection(self, filter_, projection, width, height):
         """Set the projection and the size of a filter's maps."""
@@ -285,5 +292,6 @@ def rows_of(options, maps, kept):
         if k not in kept:
             yield [*start, "skipped", "", "", *("" for _ in COLUMNS)]
             continue
-        values = [*movie_frames.area_and_volume(maps.surfaces[k]), *(maps.series.value(k, column) for column in COLUMNS.values())]
+        values = [*movie_frames.area_and_volume(maps.surfaces[k]),
+                  *(maps.series.value(k, column) for column in COLUMNS.values())]
         yield [*start, maps.series.state(k), *map(repr, values[:-1]), int(values[-1])]
