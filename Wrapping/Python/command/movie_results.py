@@ -22,6 +22,7 @@ COLUMNS = {"mean_normal_speed": "MeanNormalSpeed",
            "folds": "NumberOfFolds"}  # of the table, and their names in that of vtkSphericalTimeSeries
 LARGEST_FILE = 2**32 - 2**21
 DEFAULT_ARRAY = "AreaRate"
+MOTION = ("AreaRate", "ShearRate", "NormalVelocity", "TangentialVelocity", "Velocity")
 BRIGHTNESS_WEIGHT = 1.0  # as that of the shape, see vtkSphericalTimeSeries
 
 
@@ -37,6 +38,8 @@ def make(task, options, _, steps):
     if reference not in usable:
         raise ValueError(f"{task.scan}: frame {reference}, {frames[reference].name}, cannot be used as reference; "
                          "choose another by --reference")
+    if not options.has_volumes:
+        expect_array(found[reference], frames[reference], options.array)
     found[reference] = movie_frames.with_long_axis(found[reference], steps)
     series = Series(found, reference, options, steps)
     maps = (LayerMaps if options.has_volumes else ArrayMaps)(options, series, steps)
@@ -55,6 +58,14 @@ def make(task, options, _, steps):
     return entry, (f"wrote {task.scan}: {len(maps.surfaces)} of {shape[0]} frames, {shape[1]} "
                    f"{'layers' if options.has_volumes else 'layer'}, {shape[4]} "
                    f"{'channel' if shape[4] == 1 else 'channels'}, {shape[3]} x {shape[2]} pixels\n")
+
+
+def expect_array(surface, frame, name):
+    """Raise ValueError if a surface has no point array of this name, and will have none."""
+    data = surface.GetPointData()
+    if name and name not in MOTION and not data.HasArray(name):
+        known = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
+        raise ValueError(f"{frame.path}: no point array {name}; there are {', '.join([*filter(None, known), *MOTION])}")
 
 
 class Series:
@@ -207,9 +218,7 @@ class ArrayMaps(Maps):
         """Draw the array of a frame."""
         surface = self.series.surface(k)
         name = self.options.array or DEFAULT_ARRAY
-        if not surface.GetPointData().HasArray(name):
-            known = [surface.GetPointData().GetArrayName(i) for i in range(surface.GetPointData().GetNumberOfArrays())]
-            raise ValueError(f"{frame.path}: no point array {name}; there are {', '.join(filter(None, known))}")
+        expect_array(surface, frame, name)
         image = self.drawn(surface, name, self.options.projection, *self.size, f"Draw the map of {frame.name}")
         values = vtk_to_numpy(image.GetPointData().GetArray(name))
         self.put(k, values.reshape(1, self.size[1], self.size[0], -1))
