@@ -97,6 +97,26 @@ double MeanOver(const conformal::MappedMesh& mesh, const std::vector<double>& va
   return areas.dot(all) / areas.sum();
 }
 
+std::vector<double> SpeedsOf(const std::vector<double>& velocities)
+{
+  std::vector<double> speeds;
+  for (const double velocity : velocities)
+  {
+    speeds.push_back(std::abs(velocity));
+  }
+  return speeds;
+}
+
+std::vector<double> SpeedsOf(const conformal::Points& velocities)
+{
+  std::vector<double> speeds;
+  for (conformal::Index v = 0; v < velocities.rows(); ++v)
+  {
+    speeds.push_back(velocities.row(v).norm());
+  }
+  return speeds;
+}
+
 // Return values of all points from values of vertices; 0 at points of no triangle.
 conformal::Points OfAllPoints(const UsedStep& step, const conformal::Points& ofVertices)
 {
@@ -145,6 +165,8 @@ class vtkSphericalTimeSeries::Series
 public:
   std::vector<SeriesStep> Steps; // those read so far
   std::vector<double> Times;     // of an input with time steps; empty otherwise
+  double Interval = 1.0;         // between separate inputs
+  glue::FeatureList Features;
   bool IsDone = false;
   conformal::KnownRegistrations Known;
 
@@ -180,7 +202,8 @@ public:
     this->Steps.clear();
     for (const auto& surface : surfaces.Held)
     {
-      this->Steps.push_back({ static_cast<double>(this->Steps.size()), surface, -1, {} });
+      this->Steps.push_back(
+        { this->Interval * static_cast<double>(this->Steps.size()), surface, -1, {} });
     }
   }
 
@@ -244,7 +267,7 @@ private:
     vtkNew<vtkIdTypeArray> folds;
     states->SetName("State");
     folds->SetName("NumberOfFolds");
-    std::vector<double> times, areas, volumes, moves, stretches, growths, shears;
+    std::vector<double> times, areas, volumes, moves, stretches, growths, shears, normals, tangents;
     for (std::size_t s = 0; s < this->Steps.size(); ++s)
     {
       const int k = this->Steps[s].Used;
@@ -253,7 +276,7 @@ private:
         k < 0 ? "skipped" : (static_cast<int>(s) == this->Reference ? "reference" : "registered"));
       folds->InsertNextValue(k < 0 ? 0 : this->Used[k].Result.NumberOfFolds);
       for (std::vector<double>* column :
-        { &areas, &volumes, &moves, &stretches, &growths, &shears })
+        { &areas, &volumes, &moves, &stretches, &growths, &shears, &normals, &tangents })
       {
         column->push_back(0.0);
       }
@@ -267,6 +290,8 @@ private:
         stretches.back() = this->Used[k].Result.Stretch;
         growths.back() = MeanOver(mesh, motion.AreaRates);
         shears.back() = MeanOver(mesh, motion.ShearRates);
+        normals.back() = MeanOver(mesh, SpeedsOf(motion.Normal));
+        tangents.back() = MeanOver(mesh, SpeedsOf(motion.Tangential));
       }
     }
     const double area = areas[this->Reference], volume = volumes[this->Reference];
@@ -286,6 +311,8 @@ private:
     rows->AddArray(folds);
     glue::AddNumbers(rows, "MeanAreaRate", growths);
     glue::AddNumbers(rows, "MeanShearRate", shears);
+    glue::AddLengths(rows, "MeanNormalSpeed", normals, this->Frame);
+    glue::AddLengths(rows, "MeanTangentialSpeed", tangents, this->Frame);
   }
 
   // Convert all surfaces, and find those that cannot be used.
@@ -376,7 +403,8 @@ private:
     }
     UsedStep used;
     used.Surface = step.Surface;
-    used.Registered = glue::ToSurfaceToRegister(self, step.Surface, {}, this->Frame, run);
+    used.Registered =
+      glue::ToSurfaceToRegister(self, step.Surface, this->Features, this->Frame, run);
     // Reject maps that registration would reject.
     const conformal::PreparedSurface usable(used.Registered.Core, {}, false, false, "given");
     conformal::TimeStep input;
@@ -482,6 +510,23 @@ vtkSphericalTimeSeries::vtkSphericalTimeSeries()
 vtkSphericalTimeSeries::~vtkSphericalTimeSeries() = default;
 
 //------------------------------------------------------------------------------
+void vtkSphericalTimeSeries::AddFeature(const char* name, double weight)
+{
+  this->Features.emplace_back(name ? name : "", weight);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSphericalTimeSeries::RemoveAllFeatures()
+{
+  if (!this->Features.empty())
+  {
+    this->Features.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkTable* vtkSphericalTimeSeries::GetTable()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
@@ -509,6 +554,7 @@ int vtkSphericalTimeSeries::RequestInformation(
   // This request is made whenever an input or a property has changed.
   this->Kept->Forget();
   this->Kept->Times = TimesOfInput(inputs[0]);
+  this->Kept->Interval = this->TimeInterval;
   std::vector<double> times = this->Kept->Times;
   if (times.empty())
   {
@@ -526,7 +572,7 @@ int vtkSphericalTimeSeries::RequestInformation(
       std::max<std::size_t>(surfaces.Held.size(), inputs[0]->GetNumberOfInformationObjects()));
     for (std::size_t s = 0; s < times.size(); ++s)
     {
-      times[s] = static_cast<double>(s);
+      times[s] = this->TimeInterval * static_cast<double>(s);
     }
   }
   for (int port = 0; port < 2 && !times.empty(); ++port)
@@ -578,6 +624,8 @@ int vtkSphericalTimeSeries::RequestData(
           request->Set(Executive::CONTINUE_EXECUTING(), 1);
           return;
         }
+        series.Features = this->Features;
+        options.FeatureWeights = glue::WeightsOf(series.Features);
         series.Compute(this, options, this->ReferenceStep, this->LandmarkArrayName);
       }
       if (series.IsDone)
@@ -593,10 +641,12 @@ void vtkSphericalTimeSeries::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ReferenceStep: " << this->ReferenceStep << "\n";
+  os << indent << "TimeInterval: " << this->TimeInterval << "\n";
   os << indent << "PositionWeight: " << this->PositionWeight << "\n";
   os << indent << "ShapeWeight: " << this->ShapeWeight << "\n";
   os << indent << "StretchWeight: " << this->StretchWeight << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "NumberOfSweeps: " << this->NumberOfSweeps << "\n";
   os << indent << "LandmarkArrayName: " << this->LandmarkArrayName << "\n";
+  os << indent << "NumberOfFeatures: " << this->Features.size() << "\n";
 }

@@ -13,8 +13,9 @@
  * - point array "SpherePosition" (3 components): a map that covers the sphere once without folds.
  *
  * Output port 0: vtkPolyData with time steps, the surface at the requested time. Times of separate
- * inputs and of blocks are 0, 1, 2, ... Between two time steps, the output is the earlier surface
- * with positions that are interpolated to the requested time. The output has
+ * inputs and of blocks are the multiples 0, 1, 2, ... of TimeInterval. Between two time steps, the
+ * output is the earlier surface with positions that are interpolated to the requested time. The
+ * output has
  * - point array "SpherePosition" (double, 3 components): the deformed map.
  * - point array "Velocity" (double, 3 components): velocity at fixed position on the sphere, in
  *   units of length per time. Velocities and rates are central differences between the previous and
@@ -40,6 +41,8 @@
  * previous time step, in units of the square root of the area; 0 for the first.
  * - "RegistrationStretch" (double), "NumberOfFolds" (idtype), "MeanAreaRate" and "MeanShearRate"
  *   (double): quality and motion as on port 0. Means are weighted by area.
+ * - "MeanNormalSpeed" and "MeanTangentialSpeed" (double): means of the magnitudes of
+ *   "NormalVelocity" and "TangentialVelocity".
  * Numbers of skipped time steps are 0.
  *
  * A surface that is empty or cannot be used is skipped, with a warning that contains its number. At
@@ -70,8 +73,10 @@
 #include "vtkFiltersCorrespondenceModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for the time steps
-#include <string> // for names
+#include <memory>  // for the time steps
+#include <string>  // for names
+#include <utility> // for Features
+#include <vector>  // for Features
 
 class vtkTable;
 
@@ -89,6 +94,16 @@ public:
    */
   vtkSetClampMacro(ReferenceStep, int, 0, 1000000);
   vtkGetMacro(ReferenceStep, int);
+  ///@}
+
+  ///@{
+  /**
+   * Time between two separate inputs or blocks, such as the seconds between two frames of a film.
+   * The unit of time of velocities and rates is that of this value. Not used for an input with time
+   * steps, which has its own times. In [1e-9, 1e9]. Default is 1.
+   */
+  vtkSetClampMacro(TimeInterval, double, 1e-9, 1e9);
+  vtkGetMacro(TimeInterval, double);
   ///@}
 
   ///@{
@@ -148,6 +163,18 @@ public:
   vtkGetMacro(LandmarkArrayName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Add a feature, a number at each point that should be equal at corresponding points, such as the
+   * brightness of cells. The arguments are the name of a point array with 1 component, which all
+   * surfaces have, and a weight, as in vtkSphericalRegistration. Features show motion along the
+   * surface that its shape does not show, such as the rotation of a round body. Default is none.
+   */
+  void AddFeature(const char* name, double weight);
+  void RemoveAllFeatures();
+  int GetNumberOfFeatures() { return static_cast<int>(this->Features.size()); }
+  ///@}
+
   /**
    * Return the table of time steps, output port 1.
    */
@@ -170,12 +197,14 @@ private:
   class Series;
 
   int ReferenceStep = 0;
+  double TimeInterval = 1.0;
   double PositionWeight = 10.0;
   double ShapeWeight = 1.0;
   double StretchWeight = 1.0;
   int Frequency = 16;
   int NumberOfSweeps = 1;
   std::string LandmarkArrayName;
+  std::vector<std::pair<std::string, double>> Features;
   std::unique_ptr<Series> Kept; // time steps of the last run, and known registrations
 };
 

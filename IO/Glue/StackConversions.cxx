@@ -97,8 +97,8 @@ vtkIdType SetStack(vtkImageData* image, conformal::TIFFStack& stack)
 }
 
 //------------------------------------------------------------------------------
-conformal::TIFFStack ToStack(
-  vtkImageData* image, const std::string& name, const std::string& unit, StackPixels pixels)
+conformal::TIFFStack ToStack(vtkImageData* image, const std::string& name, const std::string& unit,
+  StackPixels pixels, int frames)
 {
   vtkDataArray* array = PixelsToWrite(image, name);
   conformal::TIFFStack stack;
@@ -106,7 +106,13 @@ conformal::TIFFStack ToStack(
   const int* size = image->GetDimensions();
   info.Width = static_cast<std::size_t>(size[0]);
   info.Height = static_cast<std::size_t>(size[1]);
-  info.Slices = static_cast<std::size_t>(size[2]);
+  if (size[2] % frames != 0)
+  {
+    throw std::invalid_argument("the image has " + std::to_string(size[2]) +
+      " slices, which is not a multiple of NumberOfFrames, " + std::to_string(frames));
+  }
+  info.Frames = static_cast<std::size_t>(frames);
+  info.Slices = static_cast<std::size_t>(size[2] / frames);
   info.Channels = static_cast<std::size_t>(array->GetNumberOfComponents());
   const bool isByte = array->GetDataType() == VTK_UNSIGNED_CHAR,
              isShort = array->GetDataType() == VTK_UNSIGNED_SHORT;

@@ -25,13 +25,14 @@ enum class StackPixels
   Float32
 };
 
-/// Copy a point array of an image to a stack of one time step.
+/// Copy a point array of an image to a stack.
 /// @param[in] name  name of the array; empty for the active scalars
 /// @param[in] unit  unit of the spacing; empty for the field data "Unit", if any
-/// @throws std::invalid_argument if the image has no points or no such array, or if a value is not
-///   finite or exceeds the range of the type
-conformal::TIFFStack ToStack(
-  vtkImageData* image, const std::string& name, const std::string& unit, StackPixels pixels);
+/// @param[in] frames  number of time steps that the slices of the image form
+/// @throws std::invalid_argument if the image has no points or no such array, if a value is not
+///   finite or exceeds the range of the type, or if the slices do not form so many time steps
+conformal::TIFFStack ToStack(vtkImageData* image, const std::string& name, const std::string& unit,
+  StackPixels pixels, int frames = 1);
 }
 
 #endif

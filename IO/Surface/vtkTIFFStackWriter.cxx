@@ -27,8 +27,9 @@ void vtkTIFFStackWriter::WriteFiles(const conformal::Run& run)
   const glue::StackPixels pixels = this->PixelType == UINT16 ? glue::StackPixels::UInt16
     : this->PixelType == FLOAT32                             ? glue::StackPixels::Float32
                                                              : glue::StackPixels::Automatic;
-  const conformal::TIFFStack stack = glue::ToStack(
-    vtkImageData::SafeDownCast(this->GetInput(0)), this->ArrayName, this->Unit, pixels);
+  conformal::TIFFStack stack = glue::ToStack(vtkImageData::SafeDownCast(this->GetInput(0)),
+    this->ArrayName, this->Unit, pixels, this->NumberOfFrames);
+  stack.Info.FrameInterval = this->FrameInterval;
   const std::string bytes = conformal::makeTIFFStack(stack, isUp, run);
   this->WriteTogether({ { path, bytes } });
 }
@@ -42,4 +43,6 @@ void vtkTIFFStackWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Unit: " << this->Unit << "\n";
   os << indent << "PixelType: " << types[this->PixelType] << "\n";
   os << indent << "YAxis: " << (this->YAxis == UP ? "Up" : "Down") << "\n";
+  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
+  os << indent << "FrameInterval: " << this->FrameInterval << "\n";
 }

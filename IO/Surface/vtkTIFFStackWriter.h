@@ -3,10 +3,11 @@
  * @brief   write a volume or a map as a TIFF stack that ImageJ and Fiji open with its spacing
  *
  * Write an image to a TIFF file that the programs ImageJ and Fiji, and the Python package tifffile,
- * open with spacing, unit, slices and channels. The file is not compressed, since ImageJ reads
- * stacks only so.
+ * open with spacing, unit, slices, channels and time steps. The file is not compressed, since
+ * ImageJ reads stacks only so.
  *
- * Input port 0: vtkImageData, a picture or a volume. Each component of the written array becomes a
+ * Input port 0: vtkImageData, a picture, a volume, or the volumes of several time steps, one after
+ * the other along z (see NumberOfFrames). Each component of the written array becomes a
  * channel. Values of the types unsigned char and unsigned short keep their type. All other values
  * are written as floats (32 bits), or see PixelType. Values must be finite. Origin and direction of
  * the image are not written, since the format has no place for them.
@@ -93,6 +94,27 @@ public:
   void SetYAxisToUp() { this->SetYAxis(UP); }
   ///@}
 
+  ///@{
+  /**
+   * Number of time steps. The slices of the image are divided into so many volumes of equal size,
+   * the first time step first. The number of slices must be a multiple of it. At least 1. Default
+   * is 1.
+   *
+   * vtkImageAppend with AppendAxis 2 makes such an image of the volumes of several time steps.
+   */
+  vtkSetClampMacro(NumberOfFrames, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfFrames, int);
+  ///@}
+
+  ///@{
+  /**
+   * Time between two time steps, in seconds. Must be positive. Written only if NumberOfFrames is
+   * above 1. Default is 1.
+   */
+  vtkSetMacro(FrameInterval, double);
+  vtkGetMacro(FrameInterval, double);
+  ///@}
+
 protected:
   vtkTIFFStackWriter() = default;
   ~vtkTIFFStackWriter() override = default;
@@ -108,6 +130,8 @@ private:
   std::string Unit;
   int PixelType = AUTOMATIC;
   int YAxis = DOWN;
+  int NumberOfFrames = 1;
+  double FrameInterval = 1.0;
 };
 
 #endif

@@ -27,8 +27,8 @@ std::vector<Mode> Modes()
   whole.TakesMore = true;
   whole.Properties = { Integer("ReferenceStep", &F::SetReferenceStep),
     Integer("NumberOfSweeps", &F::SetNumberOfSweeps), Integer("Frequency", &F::SetFrequency),
-    Number("PositionWeight", &F::SetPositionWeight), Number("ShapeWeight", &F::SetShapeWeight),
-    Number("StretchWeight", &F::SetStretchWeight),
+    Number("TimeInterval", &F::SetTimeInterval), Number("PositionWeight", &F::SetPositionWeight),
+    Number("ShapeWeight", &F::SetShapeWeight), Number("StretchWeight", &F::SetStretchWeight),
     Name("LandmarkArrayName", &F::SetLandmarkArrayName) };
   return { whole };
 }
@@ -75,7 +75,8 @@ Case SphericalTimeSeries()
       f->SetNumberOfSweeps(0);
       f->SetShapeWeight(0.0);
     },
-    { { "Velocity", 1 }, { "NormalVelocity", 1 }, { "TangentialVelocity", 1 } }) };
+    { { "Velocity", 1 }, { "NormalVelocity", 1 }, { "TangentialVelocity", 1 },
+      { "MeanNormalSpeed", 1 }, { "MeanTangentialSpeed", 1 } }) };
   all.Progress = { { "three surfaces",
     []() -> Maker
     {

@@ -2,12 +2,14 @@
 
 #include "FilterContract.h"
 #include "MeshFixtures.h"
+#include "vtkGeodesicSphereSource.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMassProperties.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -101,6 +103,85 @@ protected:
     return this->Filter->GetTable()->GetValueByName(row, column);
   }
 };
+}
+
+// Spots on a ball that turns by 5 degrees between two inputs. Its shape does not show the turn.
+TEST_F(SphericalTimeSeries, FeaturesShowMotionAlongTheSurface)
+{
+  const double turn = 5.0 * 3.14159265358979 / 180.0;
+  const auto ballAt = [&](double angle)
+  {
+    vtkNew<vtkGeodesicSphereSource> source;
+    source->SetFrequency(16);
+    source->Update();
+    auto ball = vtkSmartPointer<vtkPolyData>::New();
+    ball->ShallowCopy(source->GetOutput());
+    vtkNew<vtkDoubleArray> spots;
+    spots->SetName("Spots");
+    for (vtkIdType i = 0; i < ball->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      ball->GetPoint(i, p);
+      const double x = std::cos(angle) * p[0] + std::sin(angle) * p[1],
+                   y = std::cos(angle) * p[1] - std::sin(angle) * p[0];
+      spots->InsertNextValue(
+        std::sin(6.0 * x) * std::sin(5.0 * y) + std::sin(4.0 * p[2] + 3.0 * x));
+    }
+    ball->GetPointData()->AddArray(spots);
+    return ball;
+  };
+  this->Filter->AddInputData(ballAt(0.0));
+  this->Filter->AddInputData(ballAt(turn));
+  // Return the mean velocity around the axis by that of the turn, weighted by the distance to it.
+  const auto followed = [&]()
+  {
+    this->Filter->UpdateTimeStep(1.0);
+    vtkPolyData* output = this->Filter->GetOutput();
+    double moved = 0.0, all = 0.0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double p[3], v[3];
+      output->GetPoint(i, p);
+      output->GetPointData()->GetArray("Velocity")->GetTuple(i, v);
+      moved += p[0] * v[1] - p[1] * v[0];
+      all += turn * (p[0] * p[0] + p[1] * p[1]);
+    }
+    return moved / all;
+  };
+  this->Filter->SetShapeWeight(0.0); // a ball has no shape features
+  EXPECT_LT(std::abs(followed()), 0.1);
+  this->Filter->AddFeature("Spots", 10.0);
+  EXPECT_NEAR(followed(), 0.8, 0.2);
+  this->Seen.ExpectWarning("");
+  this->Filter->RemoveAllFeatures();
+  EXPECT_EQ(this->Filter->GetNumberOfFeatures(), 0);
+  EXPECT_LT(std::abs(followed()), 0.1);
+  this->Filter->AddFeature("Nothing", 1.0);
+  this->Filter->Update();
+  this->Seen.ExpectError("Nothing");
+}
+
+// A head that grows by a tenth between two inputs, which are 5 seconds apart.
+TEST_F(SphericalTimeSeries, RatesAreInTheUnitOfTheTimeInterval)
+{
+  for (const double time : { 0.0, 1.0, 2.0 })
+  {
+    this->Filter->AddInputData(HeadAt(time));
+  }
+  this->Filter->SetTimeInterval(5.0);
+  this->Filter->UpdateTimeStep(5.0);
+  EXPECT_NEAR(this->SizeOfOutput(), HeadAt(1.0)->GetLength(), 1e-9);
+  EXPECT_NEAR(this->MeanOf("AreaRate"), 0.2 / 5.0, 0.004);
+  EXPECT_EQ(this->Entry(2, "Time").ToDouble(), 10.0);
+  EXPECT_NEAR(this->Entry(1, "RelativeArea").ToDouble(), std::exp(0.2), 1e-9);
+  // Growth by a tenth moves points by a tenth of their distance from the origin, times the cosine
+  // between position and normal: the volume is a third of the area times the mean of this product.
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(this->Filter->GetOutput());
+  EXPECT_NEAR(this->Entry(1, "MeanNormalSpeed").ToDouble() /
+      (0.1 / 5.0 * 3.0 * mass->GetVolume() / mass->GetSurfaceArea()),
+    1.0, 0.05);
+  EXPECT_GT(this->Entry(1, "MeanTangentialSpeed").ToDouble(), 0.0);
 }
 
 TEST_F(SphericalTimeSeries, ReadsTimeStepsOnceAndShowsAnyTime)

@@ -96,6 +96,35 @@ TEST(TIFFStackWriter, ValuesBecomeWholeNumbersOrAreRefused)
   EXPECT_EQ(folder.read("stack.tif"), before);
 }
 
+TEST(TIFFStackWriter, SlicesBecomeTimeSteps)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("movie.tif");
+  vtkNew<vtkTIFFStackWriter> writer;
+  writer->SetInputData(Volume());
+  writer->SetFileName(path.c_str());
+  writer->SetNumberOfFrames(2);
+  writer->SetFrameInterval(30.0);
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkTIFFStackReader> reader;
+  reader->SetFileName(path.c_str());
+  for (const double time : { 0.0, 30.0 })
+  {
+    reader->UpdateTimeStep(time);
+    EXPECT_EQ(reader->GetOutput()->GetDimensions()[2], 1);
+    EXPECT_EQ(
+      reader->GetOutput()->GetScalarComponentAsDouble(1, 0, 0, 0), 100.25 * (time > 0.0 ? 13 : 1));
+  }
+  const contract::Observed seen(writer);
+  writer->SetNumberOfFrames(3);
+  EXPECT_EQ(writer->Write(), 0);
+  seen.ExpectError("2 slices, which is not a multiple of NumberOfFrames, 3");
+  writer->SetNumberOfFrames(2);
+  writer->SetFrameInterval(-1.0);
+  EXPECT_EQ(writer->Write(), 0);
+  seen.ExpectError("frame interval");
+}
+
 TEST(TIFFStackWriter, EmptyImagesAndOtherArraysAreRefused)
 {
   const TemporaryFolder folder;
@@ -113,7 +142,8 @@ TEST(TIFFStackWriter, EmptyImagesAndOtherArraysAreRefused)
   EXPECT_EQ(writer->Write(), 0);
   seen.ExpectError("no point array Other");
   EXPECT_EQ(folder.numberOfFiles(), 0u);
-  for (const char* name : { "FileName", "ArrayName", "Unit", "PixelType", "YAxis" })
+  for (const char* name :
+    { "FileName", "ArrayName", "Unit", "PixelType", "YAxis", "NumberOfFrames", "FrameInterval" })
   {
     contract::ExpectPrints(writer, name);
   }

@@ -449,7 +449,7 @@ class TestCommand(unittest.TestCase):
         options = re.compile(r"(?<!\w)--[a-z]+")
         self.assertEqual(set(options.findall(manual)), set(options.findall(told)))
         examples = [line.strip() for line in told.splitlines() if line.startswith("  conformalsom ")]
-        self.assertEqual(len(examples), 5)
+        self.assertEqual(len(examples), 6)
         for example in examples:
             self.assertIn(example, manual)
 

@@ -14,10 +14,11 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import compare_surfaces
 from conformalsom import (
-    vtkFreeSurferReader, vtkGeodesicSphereSource, vtkGIFTIReader, vtkSPHARMCoefficientReader)
+    vtkFreeSurferReader, vtkGeodesicSphereSource, vtkGIFTIReader, vtkSPHARMCoefficientReader, vtkTIFFStackReader,
+    vtkTIFFStackWriter)
 from conformalsom.command import scan_files
 import morph
-from helpers import mapped_models
+from helpers import mapped_models, moving_cells
 
 PYTHON = os.path.dirname(os.path.abspath(compare_surfaces.__file__))
 EXAMPLES = os.path.dirname(PYTHON)
@@ -282,6 +283,35 @@ class TestExamples(unittest.TestCase):
             completed = run("mean_shape.py", files[0])
             self.assertEqual(completed.returncode, 2)
             self.assertIn("two models or more are needed", completed.stderr)
+
+    def test_tissue_is_unrolled(self):
+        with tempfile.TemporaryDirectory() as folder:
+            writer = vtkTIFFStackWriter()
+            writer.SetInputData(moving_cells.image_of(moving_cells.frame_of(0)))
+            writer.SetUnit("micron")
+            writer.SetFileName(os.path.join(folder, "tissue.tif"))
+            writer.Write()
+            maps = os.path.join(folder, "maps.tif")
+            completed = run("tissue_map.py", os.path.join(folder, "tissue.tif"), "--neurons", "700", "--width", "64",
+                            "--depths", "-2", "1", "--projection", "Mercator", "--output", maps)
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            reader = vtkTIFFStackReader()
+            reader.SetFileName(maps)
+            reader.Update()
+        image = reader.GetOutput()
+        self.assertEqual(image.GetDimensions(), (64, 64, 17))
+        self.assertEqual(image.GetFieldData().GetAbstractArray("Unit").GetValue(0), "micron")
+        brightness = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(17, -1).mean(axis=1)
+        self.assertTrue((np.diff(brightness[8:]) < 0).all(), brightness)  # from cells to the dark outside
+        self.assertGreater(brightness[6], 120.0)  # that of the darkest cell
+        self.assertLess(brightness[16], 60.0)
+
+    def test_a_body_is_followed_over_time(self):
+        completed = run("time_series.py", "--steps", "2")
+        self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+        rows = [line.split() for line in completed.stdout.splitlines()]
+        states = [row[1] for row in rows if len(row) > 1 and row[1] in ("reference", "registered")]
+        self.assertEqual(states, ["reference", "registered"])
 
     def test_gallery_shows_each_with_picture_and_command(self):
         with open(os.path.join(EXAMPLES, "README.md"), encoding="utf-8") as file:

@@ -39,6 +39,9 @@ smooth.paint("photo.png", view_direction=(0, 0, 1)).save("figure.glb")
 registered = surface.register(smooth, landmarks=[(1, 2)], features=[("Supported", 1.0)])
 mean = cs.mean_shape([surface, registered], progress=True)
 print(surface.harmonics(20).coefficients.shape, surface.warnings[0].lower())
+tissue = cs.surface_from_volume(np.zeros((9, 9, 9)), spacing=(1.0, 1.0, 2.0), start=surface, smoothing=1.0)
+series = cs.time_series([tissue, surface], time_interval=30.0, features=[("LayerMean", 1.0)])
+print(series.table["AreaRate"].mean(), series.surfaces[0].layers("tissue.tif", projection="Mercator").maps.shape)
 print(cs.conformal_map((mean.points, mean.faces)), cs.learn("scan.ply"), cs.learn([[1, 2, 3], [2, 3.5, 4]]))
 """
 MISTAKES = [
@@ -49,6 +52,8 @@ MISTAKES = [
     ('cs.learn(points, progress="yes")', 'incompatible type "str"'),
     ("cs.lern(points)", 'no attribute "lern"'),
     ("cs.conformal_map(None)", 'incompatible type "None"'),
+    ("cs.surface_from_volume()", 'Missing positional argument "volume"'),
+    ("cs.time_series(surface)", 'incompatible type "Surface"'),
     ("cs.mean_shape(surface)", 'incompatible type "Surface"'),
     ("surface.smoth()", 'no attribute "smoth"'),
     ('surface.smooth("many")', 'incompatible type "str"'),

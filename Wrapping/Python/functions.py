@@ -1,13 +1,15 @@
-"""Functions that make surfaces: learn(), conformal_map(), mean_shape() and read()."""
+"""Functions that make surfaces: learn(), conformal_map(), surface_from_volume(), time_series(), mean_shape(), read()."""
 from __future__ import annotations
 
 import typing
 
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
 from conformalsom.filters import updated
-from conformalsom.inputs import MeshLike, Path, PointsLike
+from conformalsom.inputs import MeshLike, Path, PointsLike, VolumeLike, volume_of
 from conformalsom.keywords import properties_of
 from conformalsom.reporting import Progress
-from conformalsom.surface import Surface
+from conformalsom.surface import Array, Surface, columns_of
 
 
 @properties_of("vtkConformalSOM")
@@ -42,6 +44,68 @@ def conformal_map(mesh: MeshLike, *, progress: Progress = False, **properties: t
     """
     mapped, warnings = updated("vtkGlobalConformalMap", [mesh], progress, properties)
     return Surface(mapped.GetOutput(), warnings=warnings)
+
+
+@properties_of("vtkVolumeSurfacePoints")
+def surface_from_volume(volume: VolumeLike, *, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0),
+                        start: typing.Optional[MeshLike] = None, progress: Progress = False,
+                        **properties: typing.Any) -> Surface:
+    """Learn a closed surface with a map to the sphere from the outside of an object in a volume.
+
+    volume: a file (TIFF stack of ImageJ, NIfTI, MetaImage, NRRD, VTI), a vtkImageData, or an array of slices x rows
+    x columns, or slices x rows x columns x channels.
+    spacing: of an array: size of a voxel along x (columns), y (rows) and z (slices). The coordinates of the surface
+    are in its unit, and the first voxel is at (0, 0, 0). Default is (1, 1, 1).
+    start: surface from which learning starts, such as that of the frame before; default is none.
+    progress: True for a bar, or a function that gets the completed fraction in [0, 1], once for each of two filters.
+
+    Raises FileNotFoundError for a missing file, TypeError or ValueError for unsuitable arguments, and FilterFailed
+    for a volume without an object. Example:
+
+        surface = conformalsom.surface_from_volume(volume, spacing=(0.3, 0.3, 1.0))
+    """
+    image = volume_of(volume, spacing)
+    points, warnings = updated("vtkVolumeSurfacePoints", [image], progress, properties, lambda data: data)
+    learning = {"border": "Closed", "start": start}
+    network, more = updated("vtkConformalSOM", [points.GetOutput()], progress, learning)
+    return Surface(network.GetOutput(), warnings=[*warnings, *more])
+
+
+class TimeSeries(typing.NamedTuple):
+    """A body over time, made by time_series().
+
+    surfaces: a surface for each time step. Points of the body have the same position on the sphere at all times. Point
+    arrays "Velocity", "NormalVelocity", "TangentialVelocity", "AreaRate" and "ShearRate" are the motion.
+    table: columns with a number or text for each time step, by name, such as "Time", "State", "RelativeArea" and
+    "MeanAreaRate"; see conformalsom.vtkSphericalTimeSeries.
+    """
+    surfaces: typing.List[Surface]
+    table: typing.Dict[str, Array]
+
+
+@properties_of("vtkSphericalTimeSeries")
+def time_series(surfaces: typing.Iterable[MeshLike], *, progress: Progress = False,
+                **properties: typing.Any) -> TimeSeries:
+    """Make the maps of a body that moves and deforms correspond, and compute its motion.
+
+    surfaces: mapped surfaces in one coordinate system, in the order of time.
+    progress: True for a bar, or a function that gets the completed fraction in [0, 1].
+
+    Returns a surface for each time step, and a table. With time_interval in seconds, velocities are in units of
+    length per second. A surface that cannot be used is skipped with a warning; the result is then interpolated. Raises
+    FilterFailed if there is no surface, or if that of reference_step cannot be used. Example:
+
+        series = conformalsom.time_series([first, second, third], time_interval=30.0)
+    """
+    algorithm, warnings = updated("vtkSphericalTimeSeries", surfaces, progress, properties)
+    table = columns_of(algorithm.GetTable())
+    steps = []
+    for time in table.get("Time", ()):
+        algorithm.UpdateTimeStep(time)
+        step = vtkPolyData()
+        step.ShallowCopy(algorithm.GetOutput())
+        steps.append(Surface(step, warnings=warnings))
+    return TimeSeries(steps, table)
 
 
 @properties_of("vtkSphericalTemplate")

@@ -7,9 +7,9 @@ import numpy as np
 import numpy.typing as npt
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 
-from conformalsom.command import scan_files, textures
+from conformalsom.command import scan_files, textures, volumes
 from conformalsom.messages import FilterFailed
 from conformalsom.running import run
 
@@ -44,6 +44,7 @@ MeshLike = typing.Union[HasPolyData, IsPointSet, HasVertices, Path,
                         typing.Tuple["npt.NDArray[typing.Any]", "npt.NDArray[typing.Any]"]]
 PointsLike = typing.Union["npt.NDArray[typing.Any]", Numbers, HasPoints, MeshLike]
 ImageLike = typing.Union[Path, "npt.NDArray[np.uint8]"]
+VolumeLike = typing.Union[Path, vtkImageData, "npt.NDArray[typing.Any]"]
 
 
 def point_set(points: typing.Any) -> typing.Any:
@@ -155,3 +156,50 @@ def image_of(image: typing.Any) -> typing.Any:
         raise ValueError("expected an image of rows x columns x 3 or 4 bytes, "
                          f"not of the shape {pixels.shape} and of {pixels.dtype}")
     return textures.image_of(np.ascontiguousarray(pixels[::-1]))
+
+
+def volume_of(volume: typing.Any, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0)) -> vtkImageData:
+    """Return a volume as vtkImageData.
+
+    The volume is a file, a vtkImageData, or an array of slices x rows x columns, or slices x rows x columns x
+    channels. spacing is that of an array, along x (columns), y (rows) and z (slices).
+    """
+    if isinstance(volume, (str, os.PathLike)):
+        return read_volume(os.fspath(volume))
+    if hasattr(volume, "GetDimensions") and hasattr(volume, "ShallowCopy"):
+        copy = volume.NewInstance()  # so that several threads can use one data set
+        copy.ShallowCopy(volume)
+        return copy
+    values = np.asarray(volume)
+    if values.dtype.kind not in "fiub":
+        raise TypeError(f"expected a volume, such as an array of slices x rows x columns, not {type(volume).__name__}")
+    if values.ndim not in (3, 4) or values.size == 0:
+        raise ValueError(f"expected a volume as an array of slices x rows x columns, not of the shape {values.shape}")
+    if np.shape(spacing) != (3,) or not all(np.isfinite(length) and length > 0.0 for length in spacing):
+        raise ValueError(f"spacing is {spacing!r}, but must be 3 positive numbers")
+    values = values if values.ndim == 4 else values[..., None]
+    if values.dtype.kind == "b" or values.dtype == np.float16:
+        values = values.astype(np.float32 if values.dtype.kind == "f" else np.uint8)
+    image = vtkImageData()
+    image.SetDimensions(*values.shape[2::-1])
+    image.SetSpacing(*spacing)
+    native = np.ascontiguousarray(values, values.dtype.newbyteorder("="))
+    scalars = numpy_to_vtk(native.reshape(-1, values.shape[3]), deep=False)
+    scalars.SetName("Intensity")
+    image.GetPointData().SetScalars(scalars)
+    return image
+
+
+def read_volume(name: str) -> vtkImageData:
+    """Read a volume; the extension selects the reader. Of a TIFF stack with time steps, the first is read.
+
+    Raises FileNotFoundError if there is no such file, and FilterFailed or ValueError for a file that cannot be
+    read.
+    """
+    reader: typing.Any = volumes.volume_reader(name)
+    if not os.path.exists(name):
+        raise missing(name, os.strerror(errno.ENOENT))
+    run(reader)
+    volumes.expect_one_volume(name, reader)
+    volumes.expect_whole(name, reader)
+    return reader.GetOutput()

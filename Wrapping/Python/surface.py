@@ -15,7 +15,7 @@ from conformalsom import exports, pages, pickling
 from conformalsom.command import scan_colors
 from conformalsom.command.sizes import frequency_of
 from conformalsom.filters import updated
-from conformalsom.inputs import ImageLike, MeshLike, Path, PointsLike, image_of, point_set
+from conformalsom.inputs import ImageLike, MeshLike, Path, PointsLike, VolumeLike, image_of, point_set, volume_of
 from conformalsom.keywords import properties_of
 from conformalsom.reporting import Progress
 from conformalsom.running import run
@@ -33,6 +33,20 @@ class Harmonics(typing.NamedTuple):
     "ShapeSpectrum" and "RootMeanSquareDistance", see conformalsom.vtkSurfaceHarmonics.
     """
     coefficients: Array
+    surface: "Surface"
+
+
+class Layers(typing.NamedTuple):
+    """Maps of a volume in layers below and above a surface, made by Surface.layers().
+
+    maps: layers x rows x columns, the brightness of the volume. The innermost layer and the north are first.
+    depths: depth of each layer, in the unit of the volume, negative inside of the surface.
+    spacing: width and height of a pixel, on average over the surface.
+    surface: the surface with the point arrays "Layers", "LayerMaximum", "LayerMean" and "DepthOfMaximum".
+    """
+    maps: Array
+    depths: Array
+    spacing: typing.Tuple[float, float]
     surface: "Surface"
 
 
@@ -217,6 +231,28 @@ class Surface:
         """
         return self._filtered("vtkSphericalRegistration", progress, {**properties, "fixed": fixed})
 
+    @properties_of("vtkSurfaceLayers", without=("volume",))
+    def layers(self, volume: VolumeLike, *, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0),
+               progress: Progress = False, **properties: typing.Any) -> Layers:
+        """Sample a volume in layers below and above the surface, and unroll the layers to maps.
+
+        volume: any input of surface_from_volume(), in the coordinates of the surface.
+        spacing: of an array: size of a voxel along x (columns), y (rows) and z (slices). Default is (1, 1, 1).
+        progress: True for a bar, or a function that gets the completed fraction in [0, 1].
+
+        Raises FilterFailed if the surface has no valid map to the sphere. Example:
+
+            maps = surface.layers(volume, depth_range=(-10, 5), projection="Mercator", image_size=(800, 800)).maps
+        """
+        image = volume_of(volume, spacing)
+        algorithm, texts = updated("vtkSurfaceLayers", [self], progress, {**properties, "volume": image},
+                                   lambda data: data if data is image else point_set(data))
+        stack = algorithm.GetOutputDataObject(1)
+        maps = constant(stack.GetPointData().GetScalars()).reshape(stack.GetDimensions()[::-1])[:, ::-1]
+        surface = Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts])
+        depths = surface.polydata.GetFieldData().GetArray("LayerDepths")
+        return Layers(maps, constant(depths), stack.GetSpacing()[:2], surface)
+
     @properties_of("vtkSurfaceHarmonics", without=("degree",))
     def harmonics(self, degree: int = 20, *, progress: Progress = False, **properties: typing.Any) -> Harmonics:
         """Compute the spherical harmonics of the surface.
@@ -287,6 +323,13 @@ def constant(array: typing.Any) -> Array:
     values = vtk_to_numpy(array)
     values.flags.writeable = False
     return values
+
+
+def columns_of(table: typing.Any) -> typing.Dict[str, Array]:
+    """Return the columns of a vtkTable by their names, with a number or a text for each row."""
+    columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
+    return {column.GetName(): np.array([column.GetValue(row) for row in range(column.GetNumberOfValues())])
+            for column in columns}
 
 
 def colors_in(colors: npt.ArrayLike, count: int) -> Array:

@@ -37,6 +37,7 @@ public:
     this->add(surface.Surface.SpherePositions.data(), surface.Surface.SpherePositions.size());
     this->add(surface.Surface.Triangles.data(), surface.Surface.Triangles.size());
     this->add(surface.Expected.data(), surface.Expected.size());
+    this->add(surface.Features.data(), surface.Features.size());
   }
 
   std::uint64_t value() const { return this->Value; }
@@ -146,6 +147,8 @@ private:
     {
       hash.add(number);
     }
+    hash.add(
+      this->Options.FeatureWeights.data(), static_cast<Index>(this->Options.FeatureWeights.size()));
     hash.add(moving);
     hash.add(fixed);
     const auto found = this->Known.find(hash.value());
@@ -157,7 +160,8 @@ private:
     {
       try
       {
-        this->Results[step] = registerSpheres(moving, fixed, landmarks, {}, with, run);
+        this->Results[step] =
+          registerSpheres(moving, fixed, landmarks, this->Options.FeatureWeights, with, run);
       }
       catch (const std::invalid_argument& error)
       {

@@ -28,6 +28,8 @@ struct SphericalTimeSeriesOptions
 
   /// Options of each registration. Space must be Diffeomorphic.
   SphericalRegistrationOptions Registration;
+  /// #K weights of the columns of Features of each surface, at least 0.
+  std::vector<double> FeatureWeights;
   Index Reference = 0; ///< index of the time step whose map does not change
   /// Number of sweeps after the first pass. A sweep registers each time step again: first with
   /// positions that are expected from both neighbors in time, then with the reference.

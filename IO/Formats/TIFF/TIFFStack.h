@@ -29,8 +29,8 @@ struct TIFFStackInfo
   std::size_t pages() const { return this->Slices * this->Channels * this->Frames; }
 };
 
-/// One time step of a stack. The numbers of the channels of a voxel are consecutive. Voxels are in
-/// rows, and rows in slices.
+/// A stack. The numbers of the channels of a voxel are consecutive. Voxels are in rows, rows in
+/// slices, and slices in frames. The parser reads one frame, and the writer writes all.
 struct TIFFStack
 {
   TIFFStackInfo Info;

@@ -29,7 +29,7 @@ void requireWritable(const TIFFStack& stack)
   const TIFFStackInfo& info = stack.Info;
   const bool isKnown = info.Type == ScalarType::UInt8 || info.Type == ScalarType::UInt16 ||
     info.Type == ScalarType::Float32;
-  if (!isKnown || info.Frames != 1 || info.pages() == 0 || info.pixelsPerPage() == 0 ||
+  if (!isKnown || info.pages() == 0 || info.pixelsPerPage() == 0 ||
     stack.Values.size() != info.pixelsPerPage() * info.pages() * sizeOf(info.Type))
   {
     throw std::invalid_argument("a TIFF stack must have voxels of type UInt8, UInt16 or Float32");
@@ -40,6 +40,10 @@ void requireWritable(const TIFFStack& stack)
     {
       throw std::invalid_argument("the spacing of a TIFF stack must be positive and finite");
     }
+  }
+  if (!(info.FrameInterval > 0.0 && std::isfinite(info.FrameInterval)))
+  {
+    throw std::invalid_argument("the frame interval of a TIFF stack must be positive and finite");
   }
   constexpr double reserved = 1e6, largest = 4294967295.0 - reserved;
   constexpr double perPage = 400.0;
@@ -91,9 +95,21 @@ std::string descriptionOf(const TIFFStack& stack)
   {
     text += "slices=" + std::to_string(info.Slices) + "\n";
   }
+  if (info.Frames > 1)
+  {
+    text += "frames=" + std::to_string(info.Frames) + "\n";
+  }
+  if (info.Channels > 1 || info.Frames > 1)
+  {
+    text += "hyperstack=true\n";
+  }
   if (info.Channels > 1)
   {
-    text += "hyperstack=true\nmode=composite\n";
+    text += "mode=composite\n";
+  }
+  if (info.Frames > 1)
+  {
+    text += "finterval=" + textOf(info.FrameInterval) + "\n";
   }
   text += "unit=" + (info.Unit.empty() ? "pixel" : info.Unit) + "\n";
   text += "spacing=" + textOf(info.Spacing[2]) + "\nloop=false\n";

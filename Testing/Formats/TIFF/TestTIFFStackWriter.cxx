@@ -33,10 +33,11 @@ TIFFStack stack()
   return result;
 }
 
-conformal::TIFFStackResult read(const std::string& bytes, bool isUp = false)
+conformal::TIFFStackResult read(const std::string& bytes, bool isUp = false, std::size_t frame = 0)
 {
   conformal::TIFFStackOptions options;
   options.FirstRowUp = isUp;
+  options.Frame = frame;
   return conformal::parseTIFFStack(
     [&](conformal::ByteReader& input)
     {
@@ -89,6 +90,29 @@ TEST(TIFFStackWriter, PagesFollowEachOther)
   EXPECT_NE(bytes.find("min=-3\nmax=8.75\n"), std::string::npos);
 }
 
+TEST(TIFFStackWriter, TimeStepsAreReadBack)
+{
+  TIFFStack written = stack();
+  written.Info.Slices = 1;
+  written.Info.Frames = 3;
+  written.Info.FrameInterval = 12.5;
+  const std::string bytes = makeTIFFStack(written);
+  EXPECT_NE(bytes.find("images=6\nchannels=2\nframes=3\nhyperstack=true\n"), std::string::npos);
+  EXPECT_NE(bytes.find("finterval=12.5\n"), std::string::npos);
+  for (std::size_t frame = 0; frame < 3; ++frame)
+  {
+    const conformal::TIFFStackResult result = read(bytes, false, frame);
+    ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+    EXPECT_EQ(result.Stack.Info.Frames, 3u);
+    EXPECT_EQ(result.Stack.Info.Slices, 1u);
+    EXPECT_EQ(result.Stack.Info.FrameInterval, 12.5);
+    const std::size_t size = written.Values.size() / 3;
+    ASSERT_EQ(result.Stack.Values.size(), size);
+    EXPECT_EQ(
+      std::memcmp(result.Stack.Values.data(), written.Values.data() + frame * size, size), 0);
+  }
+}
+
 TEST(TIFFStackWriter, SpacingsOfAnySizeAreKept)
 {
   for (const double spacing : { 1e-9, 3e-4, 1.0, 77.7, 1e6 })
@@ -111,6 +135,8 @@ TEST(TIFFStackWriter, UnsuitableStacksAreRefused)
   expectRefused([](TIFFStack& s) { s.Info.Slices = 4; });
   expectRefused([](TIFFStack& s) { s.Info.Width = 0; });
   expectRefused([](TIFFStack& s) { s.Info.Spacing[1] = 0.0; });
+  expectRefused([](TIFFStack& s) { s.Info.Frames = 2; });
+  expectRefused([](TIFFStack& s) { s.Info.FrameInterval = 0.0; });
   expectRefused([](TIFFStack& s) { s.Info.Unit = "a\nb"; });
   EXPECT_THROW(
     makeTIFFStack(stack(), false, { {}, [](double) { return false; } }), conformal::Aborted);

@@ -27,9 +27,10 @@ examples:
   conformalsom scans/*.ply -o 'surfaces/{}.glb'
   conformalsom shapes scans/*.ply -o study/
   conformalsom map body.tab -o map.tif
+  conformalsom movie frames/*.tif -o map.tif
 
-See conformalsom shapes --help for studies of the shapes of many scans, and conformalsom map --help for
-maps of bodies as GeoTIFF files.
+See conformalsom shapes --help for studies of the shapes of many scans, conformalsom map --help for maps of
+bodies as GeoTIFF files, and conformalsom movie --help for maps of tissue over time.
 
 exit status:
   0  all files were written
@@ -230,7 +231,7 @@ def main(argv=None):
     """Run the command; returns the exit status."""
     argv = sys.argv[1:] if argv is None else list(argv)
     occupy_standard_streams()
-    if argv[:1] in (["shapes"], ["map"]):
+    if argv[:1] in (["shapes"], ["map"], ["movie"]):
         return subcommand(argv)
     options, all_paths = arguments(argv)
     if sys.stdout is None and (options.measure or options.report == "-"):
@@ -240,9 +241,9 @@ def main(argv=None):
 
 
 def subcommand(argv):
-    """Run shapes or map, which need classes that a build may leave out; returns the exit status."""
+    """Run shapes, map or movie, which need classes that a build may leave out; returns the exit status."""
     try:
-        chosen = importlib.import_module({"map": ".maps", "shapes": ".shapes"}[argv[0]], __package__)
+        chosen = importlib.import_module({"map": ".maps", "movie": ".movie", "shapes": ".shapes"}[argv[0]], __package__)
     except ImportError as error:
         complain(f"{argv[0]}: {error}")
         return 1

@@ -11,14 +11,22 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 STEPS = 32767  # of coordinates, which have 16 bits
 
 
-def template():
-    """The page without data; raises OSError if the package is incomplete."""
+def template(page="shapes"):
+    """The page of this name without data; raises OSError if the package is incomplete."""
     parts = []
-    for name in ("shapes.html", "base.css", "shapes.css", "shapes.js"):
+    for name in (f"{page}.html", "base.css", "panel.css", f"{page}.css", "surface_view.js", f"{page}.js"):
         with open(os.path.join(FOLDER, name), encoding="utf-8") as file:
             parts.append(file.read())
-    page, base, style, program = parts
-    return page.replace("{{style}}", base + style).replace("{{program}}", program)
+    text, *styles, view, program = parts
+    program = f'"use strict";\n{{\n{view}{program}}}\n'
+    return text.replace("{{style}}", "".join(styles)).replace("{{program}}", program)
+
+
+def filled(text, title, description, data):
+    """A template with its title, description (of JSON) and Data."""
+    page = html.escape(title).join(text.split("{{title}}"))
+    described = json.dumps(description).replace("<", "\\u003c")
+    return page.replace("{{description}}", described).replace("{{data}}", base64.b64encode(data.bytes).decode())
 
 
 class Data:
@@ -62,10 +70,7 @@ def page_of(mean, shares, scores, report, options):
             if arrays.GetArray(name)],
     }
     title = os.path.basename(os.path.realpath(options.output)) or "Shapes"
-    text = json.dumps(description).replace("<", "\\u003c")
-    parts = template().split("{{title}}")
-    page = html.escape(title).join(parts)
-    return page.replace("{{description}}", text).replace("{{data}}", base64.b64encode(data.bytes).decode())
+    return filled(template(), title, description, data)
 
 
 def axes(view, up):

@@ -1,8 +1,5 @@
-"use strict";
-{
 const d = JSON.parse(document.getElementById("description").textContent);
 const bytes = Uint8Array.from(atob(document.getElementById("data").textContent), (c) => c.charCodeAt(0)).buffer;
-const byId = (id) => document.getElementById(id);
 const vectors = ([place, size, unit]) => Float32Array.from(new Int16Array(bytes, place, size), (v) => v * unit);
 const mean = vectors(d.points);
 const triangles = new Uint32Array(bytes, ...d.triangles);
@@ -25,26 +22,12 @@ function moveSurface() {
       for (let i = 0; i < points.length; ++i) points[i] += scores[k] * mode[i];
     }
   });
-  normals.fill(0);
-  for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
-    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
-    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-    for (const v of [a, b, c]) {
-      normals[v] += nx; normals[v + 1] += ny; normals[v + 2] += nz;
-    }
-  }
+  setNormals(points, triangles, normals);
 }
 
 // Colors from low to high: distances from dark violet to yellow, and p from gray (p = 1) to dark red.
 const distanceRamp = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
 const testRamp = [[215, 212, 205], [244, 194, 130], [230, 120, 70], [178, 40, 45], [90, 0, 30]];
-function rampColor(ramp, x) {
-  const place = Math.min(Math.max(x, 0), 1) * (ramp.length - 1), k = Math.min(Math.floor(place), ramp.length - 2);
-  return ramp[k].map((low, c) => low + (place - k) * (ramp[k + 1][c] - low));
-}
-
 function colorSurface() {
   const which = byId("color").value, legend = byId("legend");
   legend.hidden = which === "none";
@@ -70,118 +53,16 @@ function colorSurface() {
   byId("low").textContent = low;
   byId("high").textContent = high;
   for (let i = 0; i < colors.length / 3; ++i) colors.set(rampColor(ramp, fraction(i)), 3 * i);
-  byId("ramp").style.background = `linear-gradient(to right, ${ramp.map((c) => `rgb(${c})`).join(",")})`;
+  byId("ramp").style.background = gradientOf(ramp);
 }
 
-// Drawing with WebGL.
-const canvas = byId("canvas");
-const gl = canvas.getContext("webgl2", { antialias: true, alpha: true });
-if (!gl) byId("message").textContent = "This browser cannot draw surfaces: WebGL 2 is missing or switched off.";
-let turn = d.axes.slice(), zoom = 1;
-
-function programOf() {
-  const program = gl.createProgram();
-  const sources = [[gl.VERTEX_SHADER, `#version 300 es
-    in vec3 p, n, c; uniform mat3 turn; uniform vec2 scale; out vec3 normal, color;
-    void main() {
-      normal = turn * n; color = c;
-      vec3 q = turn * p;
-      gl_Position = vec4(scale * q.xy, -0.3 * q.z, 1.0);
-    }`], [gl.FRAGMENT_SHADER, `#version 300 es
-    precision highp float; in vec3 normal, color; out vec4 pixel;
-    void main() {
-      float light = max(dot(normalize(normal), normalize(vec3(0.3, 0.5, 1.0))), 0.0);
-      pixel = vec4(color * (0.35 + 0.7 * light), 1.0);
-    }`]];
-  for (const [kind, text] of sources) {
-    const shader = gl.createShader(kind);
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
-  return program;
-}
-
-let program, buffers;
-function prepare() {
-  program = programOf();
-  gl.useProgram(program);
-  gl.enable(gl.DEPTH_TEST);
-  buffers = ["p", "n", "c"].map((name) => {
-    const buffer = gl.createBuffer(), place = gl.getAttribLocation(program, name);
-    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 3, name === "c" ? gl.UNSIGNED_BYTE : gl.FLOAT, name === "c", 0, 0);
-    return buffer;
-  });
-  gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
-  gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STATIC_DRAW);
-}
-
-let waiting = false;
-function draw() {
-  if (!gl || waiting) return;
-  waiting = true;
-  requestAnimationFrame(() => {
-    waiting = false;
-    const ratio = window.devicePixelRatio || 1;
-    const width = Math.max(Math.round(canvas.clientWidth * ratio), 1);
-    const height = Math.max(Math.round(canvas.clientHeight * ratio), 1);
-    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
-    gl.viewport(0, 0, width, height);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    const side = 0.9 * zoom * Math.min(width, height);
-    gl.uniform2f(gl.getUniformLocation(program, "scale"), side / width, side / height);
-    gl.uniformMatrix3fv(gl.getUniformLocation(program, "turn"), true, turn);
-    gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0);
-  });
-}
-
+const view = new View(d.axes, triangles, "color = value;");
 function update() {
   moveSurface();
   colorSurface();
-  if (gl) {
-    [points, normals, colors].forEach((values, k) => {
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffers[k]);
-      gl.bufferData(gl.ARRAY_BUFFER, values, gl.DYNAMIC_DRAW);
-    });
-  }
-  draw();
+  view.setVertices(points, normals, colors);
+  view.draw();
 }
-
-// Turning and zooming.
-function turnBy(x, y) {
-  const [cx, sx, cy, sy] = [Math.cos(y), Math.sin(y), Math.cos(x), Math.sin(x)];
-  const more = [cy, 0, sy, sx * sy, cx, -sx * cy, -cx * sy, sx, cx * cy], old = turn;
-  turn = more.map((_, i) => {
-    const [row, column] = [3 * Math.floor(i / 3), i % 3];
-    return more[row] * old[column] + more[row + 1] * old[3 + column] + more[row + 2] * old[6 + column];
-  });
-  draw();
-}
-function zoomBy(factor) {
-  zoom = Math.min(Math.max(zoom * factor, 0.2), 20);
-  draw();
-}
-canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
-canvas.addEventListener("pointermove", (event) => {
-  if (event.buttons & 1) turnBy(0.01 * event.movementX, 0.01 * event.movementY);
-});
-canvas.addEventListener("wheel", (event) => {
-  event.preventDefault();
-  zoomBy(Math.exp(-0.001 * event.deltaY));
-}, { passive: false });
-const keys = { ArrowLeft: () => turnBy(-0.1, 0), ArrowRight: () => turnBy(0.1, 0), ArrowUp: () => turnBy(0, -0.1),
-  ArrowDown: () => turnBy(0, 0.1), "+": () => zoomBy(1.1), "-": () => zoomBy(1 / 1.1) };
-canvas.addEventListener("keydown", (event) => {
-  if (keys[event.key]) {
-    event.preventDefault();
-    keys[event.key]();
-  }
-});
 
 // Sliders.
 function textOf(score) {
@@ -274,9 +155,6 @@ byId("color").append(...tests.map(({ name }, k) => new Option(name, k)), new Opt
 byId("color").value = tests.length ? "0" : "none";
 byId("color").addEventListener("change", update);
 if (!modes.length) byId("modes").textContent = "All shapes are equal.";
-if (gl) prepare();
-new ResizeObserver(draw).observe(canvas);
-canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-canvas.addEventListener("webglcontextrestored", () => { prepare(); update(); });
+if (gl) view.prepare(true);
+view.listen(() => { view.prepare(true); update(); });
 show();
-}

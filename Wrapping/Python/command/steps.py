@@ -27,8 +27,11 @@ class Steps:
         self.running = None
         self.signal = None
 
-    def run(self, label, algorithm, work=None):
-        """Update the algorithm, or do work() that uses it, as the step called label."""
+    def run(self, label, algorithm, work=None, known=None):
+        """Update the algorithm, or do work() that uses it, as the step called label.
+
+        known(text) returns whether a warning has been reported before in other words, and is to be dropped.
+        """
         def advance(caller, _):
             self.advanced(label, caller.GetProgress())
 
@@ -48,8 +51,14 @@ class Steps:
             raise Interrupted(self.signal)
         if messages.errors:
             raise StepFailed(f"{label}: {messages.errors[0]}")
-        self.warnings += [f"{label}: {text}" for text in messages.warnings]
-        self.ended(label, messages.warnings)
+        warnings = [text for text in messages.warnings if known is None or not known(text)]
+        self.warnings += [f"{label}: {text}" for text in warnings]
+        self.ended(label, warnings)
+
+    def note(self, label, text):
+        """Show a warning that is not of a filter."""
+        self.warnings.append(f"{label}: {text}")
+        self.ended(label, [text])
 
     @staticmethod
     def take_outside_messages():
