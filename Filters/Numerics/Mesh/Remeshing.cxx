@@ -1,5 +1,6 @@
 #include "Mesh/Remeshing.h"
 
+#include "Base/MortonOrder.h"
 #include "Base/Steps.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/VertexRings.h"
@@ -9,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -195,24 +197,53 @@ public:
     }
   }
 
-  /// Replace the mesh by the remeshed one, without unused ids.
+  /// Replace the mesh by the remeshed one, without unused ids. Vertices are numbered along a Morton
+  /// curve, and triangles by their vertices, so that later loops over the mesh read memory that is
+  /// in the cache. After splits, neighbors have distant ids.
   void finish()
   {
-    std::vector<int> ids(this->Rings.size(), -1);
-    int next = 0;
+    std::vector<int> used;
+    std::size_t corners = 0;
     for (int v = 0; v < this->Rings.size(); ++v)
     {
       if (!this->Rings[v].empty())
       {
-        this->Places.row(next) = this->Places.row(v).eval();
-        ids[v] = next++;
+        used.push_back(v);
+        corners += this->Rings[v].size();
       }
     }
-    this->Places.conservativeResize(next, 3);
-    this->Triangles = this->Rings.triangles();
-    for (Index i = 0; i < this->Triangles.size(); ++i)
+    Vector3 lower = this->place(used.front()), upper = lower;
+    for (const int v : used)
     {
-      this->Triangles.data()[i] = ids[this->Triangles.data()[i]];
+      lower = lower.cwiseMin(this->place(v));
+      upper = upper.cwiseMax(this->place(v));
+    }
+    const double size = std::max((upper - lower).maxCoeff(), std::numeric_limits<double>::min());
+    const auto count = static_cast<Index>(used.size());
+    const std::vector<int> order = mortonOrder(
+      count, [&](Index i) { return Vector3((this->place(used[i]) - lower) / size); }, this->Threads);
+    std::vector<int> ids(this->Rings.size(), -1);
+    Points places(count, 3);
+    for (int i = 0; i < count; ++i)
+    {
+      places.row(i) = this->Places.row(used[order[i]]);
+      ids[used[order[i]]] = i;
+    }
+    this->Places = std::move(places);
+    this->Triangles.resize(static_cast<Index>(corners / 3), 3);
+    Index next = 0;
+    for (const int i : order)
+    {
+      const int a = ids[used[i]];
+      const Ring& ring = this->Rings[used[i]];
+      for (std::size_t k = 0; k < ring.size(); ++k)
+      {
+        const int b = ids[ring[k]], c = ids[ring[(k + 1) % ring.size()]];
+        if (a < b && a < c)
+        {
+          this->Triangles.row(next++) << a, b, c;
+        }
+      }
     }
   }
 
