@@ -70,8 +70,8 @@ public:
   TrainingSamples selected(const std::function<bool(Index)>& keep) const;
 
   /// Keep a sorted copy of the samples of this rank, which later copies of this object share. Loops
-  /// over samples in any sequence, such as forEachFoot(), then read memory that is in the cache. The
-  /// copy needs 28 bytes for each sample.
+  /// over samples in any sequence, such as forEachFoot(), then read memory that is in the cache.
+  /// The copy needs 28 bytes for each sample.
   void sortAlongCurve(const Run& run = {});
   /// Return the copy made by sortAlongCurve(), or null.
   const SortedSamples* sorted() const { return this->Sorted.get(); }

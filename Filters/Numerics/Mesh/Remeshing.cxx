@@ -221,7 +221,8 @@ public:
     const double size = std::max((upper - lower).maxCoeff(), std::numeric_limits<double>::min());
     const auto count = static_cast<Index>(used.size());
     const std::vector<int> order = mortonOrder(
-      count, [&](Index i) { return Vector3((this->place(used[i]) - lower) / size); }, this->Threads);
+      count, [&](Index i) { return Vector3((this->place(used[i]) - lower) / size); },
+      this->Threads);
     std::vector<int> ids(this->Rings.size(), -1);
     Points places(count, 3);
     for (int i = 0; i < count; ++i)
