@@ -29,6 +29,7 @@ constexpr double SmoothingStep = 0.7; // length of a move, divided by the distan
 constexpr int SmoothingTries = 3;     // number of tries, each with half the step of the one before
 constexpr int MaximumRounds = 100;    // maximum number of rounds of one kind of operation
 constexpr int FinalSmoothings = 3;
+constexpr Index ManyVertices = 20000; // number of vertices above which data exceed the cache
 
 /// Maximum number of vertices after splits, divided by the target number. The limit is necessary
 /// for surfaces of vanishing area.
@@ -197,9 +198,9 @@ public:
     }
   }
 
-  /// Replace the mesh by the remeshed one, without unused ids. Vertices are numbered along a Morton
-  /// curve, and triangles by their vertices, so that later loops over the mesh read memory that is
-  /// in the cache. After splits, neighbors have distant ids.
+  /// Replace the mesh by the remeshed one, without unused ids. Many vertices are numbered along a
+  /// Morton curve, and triangles by their vertices, so that later loops over the mesh read memory
+  /// that is in the cache. After splits, neighbors have distant ids.
   void finish()
   {
     std::vector<int> used;
@@ -212,31 +213,24 @@ public:
         corners += this->Rings[v].size();
       }
     }
-    Vector3 lower = this->place(used.front()), upper = lower;
-    for (const int v : used)
-    {
-      lower = lower.cwiseMin(this->place(v));
-      upper = upper.cwiseMax(this->place(v));
-    }
-    const double size = std::max((upper - lower).maxCoeff(), std::numeric_limits<double>::min());
     const auto count = static_cast<Index>(used.size());
-    const std::vector<int> order = mortonOrder(
-      count, [&](Index i) { return Vector3((this->place(used[i]) - lower) / size); },
-      this->Threads);
+    if (count > ManyVertices)
+    {
+      used = this->alongCurve(used);
+    }
     std::vector<int> ids(this->Rings.size(), -1);
     Points places(count, 3);
     for (int i = 0; i < count; ++i)
     {
-      places.row(i) = this->Places.row(used[order[i]]);
-      ids[used[order[i]]] = i;
+      places.row(i) = this->Places.row(used[i]);
+      ids[used[i]] = i;
     }
     this->Places = std::move(places);
     this->Triangles.resize(static_cast<Index>(corners / 3), 3);
     Index next = 0;
-    for (const int i : order)
+    for (int a = 0; a < count; ++a)
     {
-      const int a = ids[used[i]];
-      const Ring& ring = this->Rings[used[i]];
+      const Ring& ring = this->Rings[used[a]];
       for (std::size_t k = 0; k < ring.size(); ++k)
       {
         const int b = ids[ring[k]], c = ids[ring[(k + 1) % ring.size()]];
@@ -249,6 +243,26 @@ public:
   }
 
 private:
+  /// Return vertices sorted along a Morton curve.
+  std::vector<int> alongCurve(const std::vector<int>& vertices) const
+  {
+    Vector3 lower = this->place(vertices.front()), upper = lower;
+    for (const int v : vertices)
+    {
+      lower = lower.cwiseMin(this->place(v));
+      upper = upper.cwiseMax(this->place(v));
+    }
+    const double size = std::max((upper - lower).maxCoeff(), std::numeric_limits<double>::min());
+    std::vector<int> sorted = mortonOrder(
+      static_cast<Index>(vertices.size()),
+      [&](Index i) { return Vector3((this->place(vertices[i]) - lower) / size); }, this->Threads);
+    for (int& v : sorted)
+    {
+      v = vertices[v];
+    }
+    return sorted;
+  }
+
   Vector3 place(int v) const { return this->Places.row(v); }
 
   /// Apply operations in rounds. First propose operations, on all threads, for edges with an end
