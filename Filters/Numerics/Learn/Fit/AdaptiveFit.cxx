@@ -33,8 +33,10 @@ constexpr Index Coarser = 4;
 constexpr Index MinimumCoarse = 50; // vertices that are enough for an estimate
 constexpr double LittleNoise = 0.5;
 
-// Turns before the last one determine the shape that the last turn refines. With more vertices than
-// this number, they have a quarter of the vertices.
+// Turns before the last two determine the shape that the last turns refine. With more vertices than
+// this number, they have a quarter of the vertices. Measured on seven objects, 40,000 vertices: if
+// only the last turn has all vertices, the ends of thin limbs are up to 18 % farther from the
+// object.
 constexpr Index ManyVertices = 12962;
 
 // Distance of vertices from the center of their neighbors, in squares of the edge length at maximum
@@ -230,7 +232,7 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
   observe("start");
   const auto verticesOf = [&](int turn)
   {
-    return turn + 1 < start.Turns ? std::min(vertices, std::max(ManyVertices, vertices / Coarser))
+    return turn + 2 < start.Turns ? std::min(vertices, std::max(ManyVertices, vertices / Coarser))
                                   : vertices;
   };
   remesh(result, remeshingTo(verticesOf(0), FirstIterations), steps.next());
