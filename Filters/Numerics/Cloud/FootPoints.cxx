@@ -134,8 +134,8 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
     const Index size = std::min(maximumSorted, count - first);
     const auto place = [&](Index i) { return samples[idOf ? idOf(first + i) : first + i]; };
     // Samples are in the cube [-1, 1]^3.
-    const std::vector<int> order =
-      mortonOrder(size, [&](Index i) { return Vector3(0.5 * (place(i).array() + 1.0)); }, run);
+    const std::vector<int> order = mortonOrder(
+      size, [&](Index i) { return Vector3(0.5 * (place(i).array() + 1.0)); }, run);
     const auto whole = static_cast<double>(count);
     deliverFeet(
       size, [&](Index i) { return place(order[i]); }, closest,

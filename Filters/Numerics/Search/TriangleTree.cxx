@@ -235,7 +235,8 @@ inline void TriangleTree::measure(const Quad& quad, const double* x, double* dis
 }
 
 // The loops over lanes are inlined into both clones.
-__attribute__((target_clones("avx2", "default"))) FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
+__attribute__((target_clones("avx2", "default"))) FootPoint TriangleTree::closestPoint(
+  const Vector3& x, int hint) const
 {
   FootPoint best;
   if (this->Quads.empty())
