@@ -1,9 +1,8 @@
 #include "Cloud/FootPoints.h"
 
+#include "Base/MortonOrder.h"
+
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <vector>
 
 namespace conformal
@@ -12,76 +11,27 @@ namespace
 {
 constexpr Index BlockSize = 256;
 
-// Item and the number (Morton key) of its grid cell. Neighboring cells usually have close numbers.
-struct Cell
-{
-  std::uint32_t Key, Item;
-};
-
-constexpr int BitsOfAxis = 10, BitsOfKey = 3 * BitsOfAxis;
-
-// Spread the bits of a number below 1024: insert two zero bits before each bit.
-std::uint32_t spreadBits(std::uint32_t x)
-{
-  x = (x | x << 16) & 0x030000ffu;
-  x = (x | x << 8) & 0x0300f00fu;
-  x = (x | x << 4) & 0x030c30c3u;
-  return (x | x << 2) & 0x09249249u;
-}
-
-// Compute the Morton key of a sample, on a grid over the cube [-1, 1]^3 that contains all samples.
-std::uint32_t keyOf(const Vector3& x)
-{
-  constexpr double cells = 1 << BitsOfAxis;
-  std::uint32_t key = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double place = std::clamp(0.5 * (x[k] + 1.0) * cells, 0.0, cells - 1.0);
-    key |= spreadBits(static_cast<std::uint32_t>(place)) << k;
-  }
-  return key;
-}
-
-// Sort stably by keys.
-void sortByKey(std::vector<Cell>& cells)
-{
-  constexpr int bitsOfDigit = 10;
-  constexpr std::uint32_t digits = 1u << bitsOfDigit;
-  std::vector<Cell> sorted(cells.size());
-  for (int shift = 0; shift < BitsOfKey; shift += bitsOfDigit)
-  {
-    std::array<std::uint32_t, digits + 1> begin{};
-    for (const Cell& cell : cells)
-    {
-      ++begin[(cell.Key >> shift) % digits + 1];
-    }
-    for (std::uint32_t digit = 0; digit < digits; ++digit)
-    {
-      begin[digit + 1] += begin[digit];
-    }
-    for (const Cell& cell : cells)
-    {
-      sorted[begin[(cell.Key >> shift) % digits]++] = cell;
-    }
-    cells.swap(sorted);
-  }
-}
-}
-
-//------------------------------------------------------------------------------
-void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, Index count,
-  const std::function<Index(Index)>& idOf,
-  const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
+/// Find the closest point of each i in [0, count), on all threads, and call body(i, x, foot) for
+/// each, in sequence and on one thread.
+/// @param[in] placeOf  function that returns the position x of i
+/// @param[in] closest  function of i, x and a triangle that is probably near x, or -1
+template <typename PlaceOf, typename Closest, typename Body>
+void deliverFeet(
+  Index count, const PlaceOf& placeOf, const Closest& closest, const Body& body, const Run& run)
 {
   constexpr Index ChunkSize = 64 * BlockSize; // 10 to 20 ms between reports
-  const auto id = [&](Index i) { return idOf ? idOf(i) : i; };
-  std::vector<FootPoint> found(std::min(count, ChunkSize)), feet(found.size());
+  struct Found
+  {
+    Vector3 Place;
+    FootPoint Foot;
+  };
+  std::vector<Found> found(std::min(count, ChunkSize)), feet(found.size());
   Index delivered = 0, first = 0; // closest points of samples [delivered, first) are in `found`
   const auto deliver = [&]()
   {
     for (Index i = delivered; i < first; ++i)
     {
-      body(id(i), samples[id(i)], found[i - delivered]);
+      body(i, found[i - delivered].Place, found[i - delivered].Foot);
     }
   };
   while (delivered < count)
@@ -100,9 +50,9 @@ void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, In
         int hint = -1;
         for (Index i = (job - 1) * BlockSize; i < std::min(size, job * BlockSize); ++i)
         {
-          const Index own = id(first + i);
-          feet[i] = closest(own, samples[own], hint);
-          hint = feet[i].Triangle;
+          feet[i].Place = placeOf(first + i);
+          feet[i].Foot = closest(first + i, feet[i].Place, hint);
+          hint = feet[i].Foot.Triangle;
         }
       });
     found.swap(feet);
@@ -112,35 +62,84 @@ void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, In
   }
 }
 
+/// Sample, as its place on the Morton curve, and its number among those that are visited.
+struct Visit
+{
+  int Place, Number;
+};
+
+/// List the samples idOf(0), ..., idOf(count - 1) in the sequence of the sorted copy.
+std::vector<Visit> visitsAlongCurve(
+  const SortedSamples& sorted, Index count, const std::function<Index(Index)>& idOf, const Run& run)
+{
+  const auto size = static_cast<Index>(sorted.Ids.size());
+  std::vector<int> numbers(size, -1);
+  forBlocks(run, count, BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        numbers[idOf ? idOf(i) : i] = static_cast<int>(i);
+      }
+    });
+  std::vector<Visit> visits;
+  visits.reserve(count);
+  for (int place = 0; place < size; ++place)
+  {
+    const int number = numbers[sorted.Ids[place]];
+    if (number >= 0)
+    {
+      visits.push_back({ place, number });
+    }
+  }
+  return visits;
+}
+}
+
+//------------------------------------------------------------------------------
+void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, Index count,
+  const std::function<Index(Index)>& idOf,
+  const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
+{
+  const auto id = [&](Index i) { return idOf ? idOf(i) : i; };
+  deliverFeet(
+    count, [&](Index i) { return samples[id(i)]; },
+    [&](Index i, const Vector3& x, int hint) { return closest(id(i), x, hint); },
+    [&](Index i, const Vector3& x, const FootPoint& foot) { body(id(i), x, foot); }, run);
+}
+
 //------------------------------------------------------------------------------
 void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run)
 {
-  // Maximum number of samples sorted at a time, to limit the memory
-  constexpr Index MaximumSorted = 1 << 20;
-  const ClosestPoint closest = [&](Index, const Vector3& x, int hint)
+  const auto closest = [&](Index, const Vector3& x, int hint)
   { return surface.closestPoint(x, hint); };
-  std::vector<Cell> cells;
-  for (Index first = 0; first < count; first += MaximumSorted)
+  // Beyond this number of sorted samples for each visited one, sorting the visited ones is faster.
+  constexpr Index manyForOne = 16;
+  const SortedSamples* const sorted = samples.sorted();
+  if (sorted && samples.size() <= manyForOne * count)
   {
-    const Index size = std::min(MaximumSorted, count - first);
-    const auto id = [&](Index i) { return idOf ? idOf(first + i) : first + i; };
-    cells.resize(size);
-    forBlocks(run, size, BlockSize,
-      [&](Index begin, Index end)
-      {
-        for (Index i = begin; i < end; ++i)
-        {
-          cells[i] = { keyOf(samples[id(i)]), static_cast<std::uint32_t>(i) };
-        }
-      });
-    sortByKey(cells);
+    const std::vector<Visit> visits = visitsAlongCurve(*sorted, count, idOf, run);
+    deliverFeet(
+      count, [&](Index i) { return Vector3(sorted->Positions.row(visits[i].Place)); }, closest,
+      [&](Index i, const Vector3& x, const FootPoint& foot) { body(visits[i].Number, x, foot); },
+      run);
+    return;
+  }
+  // Maximum number of samples sorted at a time, to limit the memory
+  constexpr Index maximumSorted = 1 << 20;
+  for (Index first = 0; first < count; first += maximumSorted)
+  {
+    const Index size = std::min(maximumSorted, count - first);
+    const auto place = [&](Index i) { return samples[idOf ? idOf(first + i) : first + i]; };
+    // Samples are in the cube [-1, 1]^3.
+    const std::vector<int> order = mortonOrder(
+      size, [&](Index i) { return Vector3(0.5 * (place(i).array() + 1.0)); }, run);
     const auto whole = static_cast<double>(count);
-    forEachFoot(
-      samples, closest, size, [&](Index i) { return id(cells[i].Item); },
-      [&, next = Index(0)](Index, const Vector3& x, const FootPoint& foot) mutable
-      { body(first + cells[next++].Item, x, foot); },
+    deliverFeet(
+      size, [&](Index i) { return place(order[i]); }, closest,
+      [&](Index i, const Vector3& x, const FootPoint& foot) { body(first + order[i], x, foot); },
       run.part(static_cast<double>(first) / whole, static_cast<double>(first + size) / whole));
   }
 }

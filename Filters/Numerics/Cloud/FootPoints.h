@@ -35,11 +35,12 @@ void forEachFoot(const TrainingSamples& samples, const ClosestPoint& closest, In
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run = {});
 
 /// Call body(i, x, foot) serially, once for each i in [0, count), in any sequence. Here, x is the
-/// position of sample idOf(i), and foot is the point of a triangle mesh closest to x. The samples
-/// are sorted along a Morton curve, on which successive samples are usually close together. The
-/// triangles near the samples thus stay in the cache of the processor. Use this function only if
-/// the sequence of calls does not matter, for example with FixedPointSums, whose sums do not depend
-/// on the order.
+/// position of sample idOf(i), and foot is the point of a triangle mesh closest to x. The ids are
+/// distinct. The samples are visited along a Morton curve, on which successive samples are usually
+/// close together. The triangles near the samples thus stay in the cache of the processor. Use this
+/// function only if the sequence of calls does not matter, for example with FixedPointSums, whose
+/// sums do not depend on the order. If few samples of many are left out, call
+/// TrainingSamples::sortAlongCurve() before.
 void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, Index count,
   const std::function<Index(Index)>& idOf,
   const std::function<void(Index, const Vector3&, const FootPoint&)>& body, const Run& run = {});

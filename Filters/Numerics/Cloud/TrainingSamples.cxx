@@ -1,6 +1,7 @@
 #include "Cloud/TrainingSamples.h"
 
 #include "Base/AcrossProcesses.h"
+#include "Base/MortonOrder.h"
 #include "Search/BoxTree.h"
 
 #include <Eigen/Eigenvalues>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace conformal
 {
@@ -155,9 +157,28 @@ TrainingSamples TrainingSamples::selected(const std::function<bool(Index)>& keep
       }
       return keep(this->firstOfTotal() + sample++);
     });
+  result.Sorted.reset();
   result.Size = result.Kept.size();
   result.OfAll = shareOf(this->Sums, result.Size);
   return result;
+}
+
+void TrainingSamples::sortAlongCurve(const Run& run)
+{
+  // The samples are in the cube [-1, 1]^3.
+  auto sorted = std::make_shared<SortedSamples>();
+  sorted->Ids = mortonOrder(
+    this->Size, [&](Index i) { return Vector3(0.5 * ((*this)[i].array() + 1.0)); }, run);
+  sorted->Positions.resize(this->Size, 3);
+  forBlocks(run, this->Size, BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        sorted->Positions.row(i) = (*this)[sorted->Ids[i]];
+      }
+    });
+  this->Sorted = std::move(sorted);
 }
 
 void TrainingSamples::setNormals(const PointView& normals)

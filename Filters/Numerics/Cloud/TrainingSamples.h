@@ -9,10 +9,18 @@
 #include "Base/Types.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace conformal
 {
+/// Copy of the normalized samples, sorted along a Morton curve (MortonOrder.h).
+struct SortedSamples
+{
+  Points Positions;     ///< normalized samples
+  std::vector<int> Ids; ///< sample of each position
+};
+
 /// Samples for training, called patterns x in X in \cite Liou2008 section 2. Points are not copied.
 /// Each access normalizes the returned point. Normalization moves the weighted centroid of the
 /// samples to the origin. Normalization then scales the largest distance of a sample from the
@@ -60,6 +68,13 @@ public:
   /// Return some of these samples, in the same coordinates. Call this function on all ranks.
   /// @param[in] keep  test of a sample, by its position in the sequence of the samples of all ranks
   TrainingSamples selected(const std::function<bool(Index)>& keep) const;
+
+  /// Keep a sorted copy of the samples of this rank, which later copies of this object share. Loops
+  /// over samples in any sequence, such as forEachFoot(), then read memory that is in the cache.
+  /// The copy needs 28 bytes for each sample.
+  void sortAlongCurve(const Run& run = {});
+  /// Return the copy made by sortAlongCurve(), or null.
+  const SortedSamples* sorted() const { return this->Sorted.get(); }
 
   /// Set the normals of the points: #P by 3 vectors of any length, not copied. A normal that is
   /// zero or not finite is unknown. Call this function either on all ranks or on no rank.
@@ -110,6 +125,7 @@ private:
   PointView View;
   NumberView Weights;
   PointView Normals, Scanners;
+  std::shared_ptr<const SortedSamples> Sorted;
   KeptIds Kept; ///< empty if every point is a sample
   conformal::Reduce Sums;
   Index Size = 0;

@@ -40,6 +40,11 @@ void require(bool good, const std::string& what)
   }
 }
 
+Index neuronsOf(const ConformalSOMOptions& options)
+{
+  return options.NumberOfNeurons == AutomaticNeurons ? UsualNeurons : options.NumberOfNeurons;
+}
+
 bool positive(double value)
 {
   return std::isfinite(value) && value > 0.0;
@@ -135,8 +140,7 @@ ConformalSOMResult learnOnline(const TrainingSamples& samples, const ConformalSO
 {
   OnlineTrainingOptions online;
   static_cast<OnlineOptions&>(online) = options.Online;
-  online.Frequency = geodesicFrequencyFor(
-    options.NumberOfNeurons == AutomaticNeurons ? UsualNeurons : options.NumberOfNeurons);
+  online.Frequency = geodesicFrequencyFor(neuronsOf(options));
   online.ReferencePoint = options.ReferencePoint;
   online.RandomSeed = options.RandomSeed;
   Steps steps(run, { 0.02, 0.96, 0.02 }); // progress: first weights, learning, support
@@ -220,6 +224,10 @@ void removeSliversOf(ConformalSOMResult& result, const Run& run)
   renew(result.Supported, [](double a, double b) { return std::min(a, b); });
 }
 
+/// Number of samples for each neuron up to which a sorted copy of all samples is kept. With more
+/// samples, an iteration of the fit uses few of them.
+constexpr Index ManyForOne = 100;
+
 /// Map the surface to the sphere, after it was opened where the samples end.
 void openAndMap(const TrainingSamples& samples, const BorderOptions& opening,
   ConformalSOMResult& result, const Run& run)
@@ -250,7 +258,11 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
     isGeodesic ? std::vector<double>{ 0.0, 1.0, 0.0, 0.0 }
                : std::vector<double>{ 0.02, 0.77, 0.01, 0.2 });
   const Run cleaning = steps.next();
-  const TrainingSamples kept = mayHaveOutliers ? withoutOutliers(samples, cleaning) : samples;
+  TrainingSamples kept = mayHaveOutliers ? withoutOutliers(samples, cleaning) : samples;
+  if (!isGeodesic && kept.size() <= ManyForOne * neuronsOf(options))
+  {
+    kept.sortAlongCurve(cleaning.unwatched());
+  }
   ConformalSOMResult result = options.TrainingMode == TrainingMode::Online
     ? learnOnline(kept, options, mesh, steps.next())
     : learnWithNeurons(kept, options, mesh, steps.next());

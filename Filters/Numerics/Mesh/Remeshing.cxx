@@ -1,5 +1,6 @@
 #include "Mesh/Remeshing.h"
 
+#include "Base/MortonOrder.h"
 #include "Base/Steps.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/VertexRings.h"
@@ -9,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -27,6 +29,7 @@ constexpr double SmoothingStep = 0.7; // length of a move, divided by the distan
 constexpr int SmoothingTries = 3;     // number of tries, each with half the step of the one before
 constexpr int MaximumRounds = 100;    // maximum number of rounds of one kind of operation
 constexpr int FinalSmoothings = 3;
+constexpr Index ManyVertices = 20000; // number of vertices above which data exceed the cache
 
 /// Maximum number of vertices after splits, divided by the target number. The limit is necessary
 /// for surfaces of vanishing area.
@@ -195,28 +198,71 @@ public:
     }
   }
 
-  /// Replace the mesh by the remeshed one, without unused ids.
+  /// Replace the mesh by the remeshed one, without unused ids. Many vertices are numbered along a
+  /// Morton curve, and triangles by their vertices, so that later loops over the mesh read memory
+  /// that is in the cache. After splits, neighbors have distant ids.
   void finish()
   {
-    std::vector<int> ids(this->Rings.size(), -1);
-    int next = 0;
+    std::vector<int> used;
+    std::size_t corners = 0;
     for (int v = 0; v < this->Rings.size(); ++v)
     {
       if (!this->Rings[v].empty())
       {
-        this->Places.row(next) = this->Places.row(v).eval();
-        ids[v] = next++;
+        used.push_back(v);
+        corners += this->Rings[v].size();
       }
     }
-    this->Places.conservativeResize(next, 3);
-    this->Triangles = this->Rings.triangles();
-    for (Index i = 0; i < this->Triangles.size(); ++i)
+    const auto count = static_cast<Index>(used.size());
+    if (count > ManyVertices)
     {
-      this->Triangles.data()[i] = ids[this->Triangles.data()[i]];
+      used = this->alongCurve(used);
+    }
+    std::vector<int> ids(this->Rings.size(), -1);
+    Points places(count, 3);
+    for (int i = 0; i < count; ++i)
+    {
+      places.row(i) = this->Places.row(used[i]);
+      ids[used[i]] = i;
+    }
+    this->Places = std::move(places);
+    this->Triangles.resize(static_cast<Index>(corners / 3), 3);
+    Index next = 0;
+    for (int a = 0; a < count; ++a)
+    {
+      const Ring& ring = this->Rings[used[a]];
+      for (std::size_t k = 0; k < ring.size(); ++k)
+      {
+        const int b = ids[ring[k]], c = ids[ring[(k + 1) % ring.size()]];
+        if (a < b && a < c)
+        {
+          this->Triangles.row(next++) << a, b, c;
+        }
+      }
     }
   }
 
 private:
+  /// Return vertices sorted along a Morton curve.
+  std::vector<int> alongCurve(const std::vector<int>& vertices) const
+  {
+    Vector3 lower = this->place(vertices.front()), upper = lower;
+    for (const int v : vertices)
+    {
+      lower = lower.cwiseMin(this->place(v));
+      upper = upper.cwiseMax(this->place(v));
+    }
+    const double size = std::max((upper - lower).maxCoeff(), std::numeric_limits<double>::min());
+    std::vector<int> sorted = mortonOrder(
+      static_cast<Index>(vertices.size()),
+      [&](Index i) { return Vector3((this->place(vertices[i]) - lower) / size); }, this->Threads);
+    for (int& v : sorted)
+    {
+      v = vertices[v];
+    }
+    return sorted;
+  }
+
   Vector3 place(int v) const { return this->Places.row(v); }
 
   /// Apply operations in rounds. First propose operations, on all threads, for edges with an end

@@ -217,8 +217,8 @@ void TriangleTree::update(FootPoint& best, const Vector3& x, int place) const
   }
 }
 
-__attribute__((target_clones("avx2", "default"))) void TriangleTree::measure(
-  const Quad& quad, const double* x, double* distances)
+// Compute the square distances of x from the four boxes of a quad.
+inline void TriangleTree::measure(const Quad& quad, const double* x, double* distances)
 {
   Doubles sum = {};
   for (int c = 0; c < 3; ++c)
@@ -234,7 +234,9 @@ __attribute__((target_clones("avx2", "default"))) void TriangleTree::measure(
   }
 }
 
-FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
+// The loops over lanes are inlined into both clones.
+__attribute__((target_clones("avx2", "default"))) FootPoint TriangleTree::closestPoint(
+  const Vector3& x, int hint) const
 {
   FootPoint best;
   if (this->Quads.empty())
@@ -274,12 +276,19 @@ FootPoint TriangleTree::closestPoint(const Vector3& x, int hint) const
     const Quad& quad = this->Quads[next.Quad];
     double distances[DoubleLanes];
     measure(quad, x.data(), distances);
-    const int bottom = depth;
+    // Unused boxes have an infinite distance, and no triangles. Bits of lanes avoid branches that
+    // cannot be predicted.
+    unsigned int lanes = 0;
     for (int k = 0; k < DoubleLanes; ++k)
     {
-      // Unused boxes have an infinite distance. Insert boxes sorted by distance, so that the
-      // closest one is visited first.
-      if (distances[k] <= best.SquareDistance && (quad.Next[k] >= 0 || quad.Count[k] > 0))
+      lanes |= static_cast<unsigned int>(distances[k] <= best.SquareDistance) << k;
+    }
+    // Insert boxes sorted by distance, so that the closest one is visited first.
+    const int bottom = depth;
+    for (; lanes != 0; lanes &= lanes - 1)
+    {
+      const int k = __builtin_ctz(lanes);
+      if (quad.Next[k] >= 0 || quad.Count[k] > 0)
       {
         int at = depth++;
         for (; at > bottom && stack[at - 1].SquareDistance < distances[k]; --at)

@@ -83,3 +83,33 @@ TEST(FootPoints, KeepsTheOrderForOtherSurfaces)
     runs::backwards());
   EXPECT_EQ(next, points.rows());
 }
+
+// A sorted copy of the samples changes only the sequence of the visits.
+TEST(FootPoints, AreTheSameForSortedSamples)
+{
+  const auto sphere = conformal::makeGeodesicSphere(6);
+  const TriangleTree tree(sphere.Positions, sphere.Triangles);
+  const Points points = someCloud(3000);
+  TrainingSamples samples{ conformal::PointView(points) };
+  const auto feetOf = [&](Index stride)
+  {
+    std::vector<int> triangles(3000, -1);
+    forEachFoot(
+      samples, tree, 3000 / stride, [&](Index i) { return stride * i; },
+      [&](Index i, const Vector3& x, const FootPoint& foot)
+      {
+        EXPECT_EQ(x, samples[stride * i]);
+        EXPECT_EQ(triangles[i], -1);
+        triangles[i] = foot.Triangle;
+      });
+    return triangles;
+  };
+  const std::vector<int> all = feetOf(1), some = feetOf(7), few = feetOf(100);
+  EXPECT_EQ(samples.sorted(), nullptr);
+  samples.sortAlongCurve();
+  ASSERT_NE(samples.sorted(), nullptr);
+  EXPECT_EQ(feetOf(1), all);
+  EXPECT_EQ(feetOf(7), some);
+  EXPECT_EQ(feetOf(100), few);
+  EXPECT_EQ(samples.selected([](Index i) { return i > 0; }).sorted(), nullptr);
+}

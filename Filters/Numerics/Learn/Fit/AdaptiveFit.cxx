@@ -33,6 +33,12 @@ constexpr Index Coarser = 4;
 constexpr Index MinimumCoarse = 50; // vertices that are enough for an estimate
 constexpr double LittleNoise = 0.5;
 
+// Turns before the last two determine the shape that the last turns refine. With more vertices than
+// this number, they have a quarter of the vertices. Measured on seven objects, 40,000 vertices: if
+// only the last turn has all vertices, the ends of thin limbs are up to 18 % farther from the
+// object.
+constexpr Index ManyVertices = 12962;
+
 // Distance of vertices from the center of their neighbors, in squares of the edge length at maximum
 // radius 1. Measured: on Igea and the bunny with noise of 0.002 to 0.01, this gives the best
 // smoothness within a factor of two.
@@ -202,7 +208,8 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
   fitting.FirstSmoothness = std::max(fitting.LastSmoothness, FirstSmoothness);
   fitting.OutlierRatio = start.OutlierRatio;
   fitting.AutomaticPriority = options.AutomaticPriority;
-  fitting.SamplesPerIteration = std::min(options.SamplesPerVertex, SamplesOfTurn) * vertices;
+  const Index samplesOfTurn = std::min(options.SamplesPerVertex, SamplesOfTurn);
+  fitting.SamplesPerIteration = samplesOfTurn * vertices;
   fitting.RandomSeed = options.RandomSeed;
   fitting.Guide = start.Guide;
   fitting.Belongs = start.Belongs;
@@ -223,12 +230,17 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
     }
   };
   observe("start");
-  remesh(result, remeshingTo(vertices, FirstIterations), steps.next());
+  const auto verticesOf = [&](int turn)
+  {
+    return turn + 2 < start.Turns ? std::min(vertices, std::max(ManyVertices, vertices / Coarser))
+                                  : vertices;
+  };
+  remesh(result, remeshingTo(verticesOf(0), FirstIterations), steps.next());
   observe("remeshed");
-  RemeshingOptions remeshing = remeshingTo(vertices, Iterations);
   for (int turn = 0; turn < start.Turns; ++turn)
   {
-    if (turn == 0)
+    fitting.SamplesPerIteration = samplesOfTurn * verticesOf(turn);
+    if (turn == 0 || verticesOf(turn) > verticesOf(turn - 1))
     {
       firstFit(samples, fitting, result, steps.next());
     }
@@ -237,6 +249,7 @@ FittedMesh fitAdaptively(const TrainingSamples& samples, const AdaptiveFitOption
       leastSquaresFit(samples, fitting, result, steps.next());
     }
     observe("turn " + std::to_string(turn + 1));
+    RemeshingOptions remeshing = remeshingTo(verticesOf(turn + 1), Iterations);
     remeshing.MeetNumber = turn + 1 == start.Turns;
     remesh(result, remeshing, steps.next());
   }

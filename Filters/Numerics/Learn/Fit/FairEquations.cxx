@@ -321,6 +321,7 @@ CurvatureChange::CurvatureChange(const Mesh& mesh, const Points& normals)
     }
   }
   areas = areas.cwiseMax(MinimumArea * areas.mean());
+  const double minimumArea = MinimumArea * areas.mean();
   for (Index r = 0; r < triangles.rows(); ++r)
   {
     const auto ids = triangles.row(r);
@@ -328,7 +329,7 @@ CurvatureChange::CurvatureChange(const Mesh& mesh, const Points& normals)
     Vector3 normal = (q - p).cross(s - p);
     const double area = 0.5 * normal.norm();
     normal.stableNormalize();
-    const double root = std::sqrt(std::max(area, MinimumArea * areas.mean()));
+    const double root = std::sqrt(std::max(area, minimumArea));
     this->Slopes[r] << normal.cross(s - q), normal.cross(p - s), normal.cross(q - p);
     this->Slopes[r] *= 0.5 / root;
   }

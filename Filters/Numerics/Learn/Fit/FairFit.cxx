@@ -3,6 +3,7 @@
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Learn/Fit/SurfaceSupport.h"
+#include "Linear/OverlappingParts.h"
 #include "Linear/ShiftedSystem.h"
 #include "Mesh/VertexNormals.h"
 
@@ -42,6 +43,12 @@ constexpr double MinimumCosine = 0.4;
 constexpr double AnchorOfSharp = 100.0; // weight of the displacement, in samples of a vertex
 
 constexpr double Ridge = 1e-10; // of the diagonal
+
+// Up to so many vertices, the equations are solved as a whole. The cost of a factorization
+// increases by the power 1.5 of the number of vertices. More vertices are divided into parts.
+constexpr Index MaximumWhole = 20000, MaximumCore = 8000;
+constexpr int RingsOfOverlap = 12;
+constexpr Index PartsBetweenReports = 8;
 
 /// Spread values over neighboring vertices. The sum of the values does not change.
 Eigen::VectorXd diffused(const Adjacency& neighbors, Eigen::VectorXd values, int steps)
@@ -100,22 +107,30 @@ class FairSystem
 {
 public:
   FairSystem(const SampleDistances::Sum& distances, double count,
-    const CurvatureChange::Energy& energy, const Points& places)
+    const CurvatureChange::Energy& energy, const Points& places, const Adjacency& neighbors)
     : Distances(distances)
     , Count(count)
     , Energy(energy)
     , Places(places)
+    , Parts(overlappingParts(places, neighbors,
+        places.rows() > MaximumWhole ? MaximumCore : MaximumWhole, RingsOfOverlap))
   {
   }
 
   Solution solve(double weight, const Run& run) const
   {
-    const MultifrontalCholesky factor = this->factorizeAt(weight, run);
     constexpr Index probes = NumberOfProbes;
     Columns columns(this->Places.rows(), 1 + 2 * probes);
     columns << this->Distances.Right - weight * this->Energy.Force, this->Distances.Probes,
       std::sqrt(weight) * this->Energy.Probes;
-    factor.solve(columns);
+    const Columns right = columns;
+    this->forParts(run,
+      [&](const OverlappingPart& part, const Run& own)
+      {
+        Columns some = part.rowsOf(right);
+        this->factorizeAt(part, weight, own).solve(some);
+        part.copyCore(some, columns);
+      });
     Solution solution;
     solution.Displacements = columns.col(0);
     solution.Deviations = columns.middleCols(1, probes) + columns.rightCols(probes);
@@ -127,14 +142,6 @@ public:
   /// Find the weight with the lowest score, and return its solution.
   Solution solveByCrossValidation(const Run& run) const
   {
-    enum
-    {
-      Right,
-      Force,
-      Probe,
-      EnergyProbe,
-      NumberOfColumns
-    };
     Columns columns(this->Places.rows(), static_cast<Index>(NumberOfColumns));
     columns << this->Distances.Right, this->Energy.Force, this->Distances.Probes.col(0),
       this->Energy.Probes.col(0);
@@ -143,32 +150,27 @@ public:
     for (int ladder = 1;; ++ladder)
     {
       const Run own = run.part(1.0 - std::pow(0.5, ladder - 1), 1.0 - std::pow(0.5, ladder));
-      const ShiftedSystem system(this->Distances.Matrix,
-        this->factorizeAt(center, own.part(0.0, 0.4)), center, columns, KrylovSteps,
-        own.part(0.4, 1.0));
+      const std::vector<Trial> trials = this->trialsAround(center, columns, own);
+      const auto size = static_cast<Index>(trials.size());
       Solution best;
       best.Score = std::numeric_limits<double>::infinity();
-      double bestPower = 0.0;
-      for (double power = -LadderEnd; power <= LadderEnd; power += LadderStep)
+      Index bestTrial = 0;
+      for (Index t = 0; t < size; ++t)
       {
-        const double weight = center * std::pow(10.0, power);
         Solution solution;
-        solution.Displacements =
-          system.solution(Right, weight) - weight * system.solution(Force, weight);
-        this->evaluate(solution, system.product(Probe, weight));
+        solution.Displacements = trials[t].Values.col(0);
+        this->evaluate(solution, trials[t].Trace);
         if (solution.Score < best.Score)
         {
           best = std::move(solution);
-          bestPower = power;
+          bestTrial = t;
         }
       }
-      const bool softer = bestPower <= -LadderEnd &&
+      const bool softer = bestTrial == 0 &&
         best.DegreesOfFreedom < EnoughFreedom * static_cast<double>(this->Places.rows());
-      if ((!softer && bestPower < LadderEnd) || ladder == MaximumLadders)
+      if ((!softer && bestTrial + 1 < size) || ladder == MaximumLadders)
       {
-        const double weight = center * std::pow(10.0, bestPower);
-        best.Deviations =
-          system.solution(Probe, weight) + std::sqrt(weight) * system.solution(EnergyProbe, weight);
+        best.Deviations = trials[bestTrial].Values.col(1);
         return best;
       }
       center *= std::pow(10.0, softer ? -LadderMove : LadderMove);
@@ -176,11 +178,104 @@ public:
   }
 
 private:
-  MultifrontalCholesky factorizeAt(double weight, const Run& run) const
+  enum
   {
-    SparseMatrix matrix = this->Distances.Matrix + weight * this->Energy.Matrix;
+    Right,
+    Force,
+    Probe,
+    EnergyProbe,
+    NumberOfColumns
+  };
+
+  /// Solution of one weight: displacements and deviations, and the trace of the influence matrix.
+  struct Trial
+  {
+    Columns Values;
+    double Trace = 0.0;
+  };
+
+  /// Solve for all weights of a ladder.
+  std::vector<Trial> trialsAround(double center, const Columns& columns, const Run& run) const
+  {
+    std::vector<double> weights;
+    for (double power = -LadderEnd; power <= LadderEnd; power += LadderStep)
+    {
+      weights.push_back(center * std::pow(10.0, power));
+    }
+    std::vector<Trial> trials(weights.size());
+    for (Trial& trial : trials)
+    {
+      trial.Values.resize(this->Places.rows(), 2);
+    }
+    Columns traces(static_cast<Index>(this->Parts.size()), static_cast<Index>(weights.size()));
+    this->forParts(run,
+      [&](const OverlappingPart& part, const Run& own)
+      {
+        const ShiftedSystem system(part.principalPart(this->Distances.Matrix),
+          this->factorizeAt(part, center, own.part(0.0, 0.4)), center, part.rowsOf(columns),
+          KrylovSteps, own.part(0.4, 1.0));
+        const Eigen::VectorXd probes = part.rowsOf(columns.col(Probe));
+        for (std::size_t t = 0; t < weights.size(); ++t)
+        {
+          const double weight = weights[t];
+          const Eigen::VectorXd ofProbe = system.solution(Probe, weight);
+          Columns values(ofProbe.size(), 2);
+          values.col(0) = system.solution(Right, weight) - weight * system.solution(Force, weight);
+          values.col(1) = ofProbe + std::sqrt(weight) * system.solution(EnergyProbe, weight);
+          part.copyCore(values, trials[t].Values);
+          traces(&part - this->Parts.data(), static_cast<Index>(t)) = part.isWhole()
+            ? system.product(Probe, weight)
+            : probes.head(part.CoreSize).dot(ofProbe.head(part.CoreSize));
+        }
+      });
+    for (std::size_t t = 0; t < weights.size(); ++t)
+    {
+      trials[t].Trace = traces.col(static_cast<Index>(t)).sum();
+    }
+    return trials;
+  }
+
+  /// Call solve(part, run) for each part. A single part is solved on all threads, and of many
+  /// parts, each on one thread.
+  template <typename Solve>
+  void forParts(const Run& run, const Solve& solve) const
+  {
+    const auto size = static_cast<Index>(this->Parts.size());
+    if (size == 1)
+    {
+      solve(this->Parts[0], run);
+      return;
+    }
+    std::vector<char> failed(size, 0); // exceptions must not leave a thread
+    for (Index first = 0; first < size; first += PartsBetweenReports)
+    {
+      const Index end = std::min(size, first + PartsBetweenReports);
+      run.forEach(end - first,
+        [&](Index i)
+        {
+          try
+          {
+            solve(this->Parts[first + i], Run());
+          }
+          catch (const NumericalFailure&)
+          {
+            failed[first + i] = 1;
+          }
+        });
+      run.report(static_cast<double>(end) / static_cast<double>(size));
+    }
+    if (std::find(failed.begin(), failed.end(), 1) != failed.end())
+    {
+      throw NumericalFailure("the equations of fairing have no solution");
+    }
+  }
+
+  MultifrontalCholesky factorizeAt(const OverlappingPart& part, double weight, const Run& run) const
+  {
+    SparseMatrix matrix =
+      part.principalPart(this->Distances.Matrix) + weight * part.principalPart(this->Energy.Matrix);
     matrix.diagonal() *= 1.0 + Ridge;
-    return factorize(matrix, this->Places, Rings, run);
+    return factorize(matrix, this->Places(part.Ids, Eigen::all), Rings, run);
   }
 
   void evaluate(Solution& solution, double trace) const
@@ -203,6 +298,7 @@ private:
   const double Count; // of the samples
   const CurvatureChange::Energy& Energy;
   const Points& Places;
+  const std::vector<OverlappingPart> Parts;
 };
 
 class FairFit
@@ -299,7 +395,8 @@ private:
         change.squaresAt(Eigen::VectorXd::Zero(this->Ones.size())), FirstChange);
     }
     const CurvatureChange::Energy energy = change.energy(this->Changes, this->Creases);
-    const FairSystem system(sum, distances.count(), energy, this->Surface.Positions);
+    const FairSystem system(
+      sum, distances.count(), energy, this->Surface.Positions, this->Neighbors);
     this->Last = first
       ? system.solveByCrossValidation(run)
       : system.solve(this->Options.Smoothness * WeightOfVariance * this->Last.Variance, run);
