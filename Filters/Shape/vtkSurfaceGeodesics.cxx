@@ -137,8 +137,9 @@ public:
   void AddOuter()
   {
     const conformal::Points used = this->Mesh.Positions(this->Used, Eigen::all);
+    const Eigen::RowVector3d center = used.colwise().mean();
     conformal::Index farthest = 0;
-    (used.rowwise() - used.colwise().mean()).rowwise().squaredNorm().maxCoeff(&farthest);
+    (used.rowwise() - center).rowwise().squaredNorm().maxCoeff(&farthest);
     this->Add(this->Used[farthest]);
   }
 

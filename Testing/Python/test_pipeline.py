@@ -212,8 +212,13 @@ def beside_the_chain(stages):
     drawn.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     drawn.SetOutlinesData(output_cases.outlines())
     drawn.Update()
+    geodesics = conformalsom.vtkSurfaceGeodesics()
+    geodesics.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
+    geodesics.AddSourceId(0)
+    geodesics.Update()
     filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series,
-               resample, repair, body, chart, outside, layers, labels, drawn)
+               resample, repair, body, chart, outside, layers, labels, drawn,
+               geodesics)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
 

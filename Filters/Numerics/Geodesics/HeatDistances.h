@@ -19,9 +19,9 @@ namespace conformal
 /// Implementation note: equations are those of the intrinsic Delaunay triangulation, so that the
 /// method does not depend on the shapes of triangles. A mesh of less than 25,000 vertices is
 /// divided into smaller triangles of the same surface, since errors are proportional to the length
-/// of edges. The time t of the heat flow is the square of the mean edge length, as in \cite
-/// Crane2013 section 3.2.4, but at least the square of 1/400 of the longest path: on finer meshes,
-/// heat that is far from the sources would be below the smallest number of double precision.
+/// of edges. The time t of the heat flow is the square of the mean edge length, as in section 3.2.4
+/// of the paper, but at least the square of 1/400 of the longest path: on finer meshes, heat that
+/// is far from the sources would be below the smallest number of double precision.
 class HeatDistances
 {
 public:
