@@ -33,11 +33,11 @@ constexpr Index Coarser = 4;
 constexpr Index MinimumCoarse = 50; // vertices that are enough for an estimate
 constexpr double LittleNoise = 0.5;
 
-// Turns before the last two determine the shape that the last turns refine. With more vertices than
-// this number, they have a quarter of the vertices. Measured on seven objects, 40,000 vertices: if
-// only the last turn has all vertices, the ends of thin limbs are up to 18 % farther from the
-// object.
-constexpr Index ManyVertices = 12962;
+// The first of three turns determines the shape that the others refine. With more vertices than
+// this number, it has a quarter of the vertices, at least this number. At 40,000 vertices, this
+// would not save time. If the second turn had fewer vertices, too, the ends of thin limbs would be
+// up to 18 % farther from the object.
+constexpr Index ManyVertices = 50000;
 
 // Distance of vertices from the center of their neighbors, in squares of the edge length at maximum
 // radius 1. Measured: on Igea and the bunny with noise of 0.002 to 0.01, this gives the best
