@@ -1,6 +1,7 @@
 #include "vtkSurfaceGeodesics.h"
 
 #include "Base/Steps.h"
+#include "Geodesics/GeodesicPath.h"
 #include "Geodesics/HeatDistances.h"
 #include "Glue/Arrays.h"
 #include "Glue/Checks.h"
@@ -9,6 +10,8 @@
 #include "Glue/Run.h"
 #include "Search/PointTree.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -72,27 +75,29 @@ std::vector<int> UsedPoints(const conformal::Mesh& mesh)
   return used;
 }
 
-// List of distinct sources, in the sequence in which they are added.
-class SourceList
+// List of distinct vertices, in the sequence in which they are added.
+class VertexList
 {
 public:
-  explicit SourceList(const conformal::Mesh& mesh)
+  explicit VertexList(const conformal::Mesh& mesh)
     : Mesh(mesh)
     , Used(UsedPoints(mesh))
-    , IsSource(mesh.Positions.rows(), 0)
+    , IsListed(mesh.Positions.rows(), 0)
   {
   }
 
-  void AddNearest(const conformal::Points& positions)
+  void AddNearest(vtkPointSet* picked, const conformal::CoordinateFrame& frame, int port)
   {
+    const conformal::Points positions =
+      picked ? glue::ToPoints(picked->GetPoints(), frame) : conformal::Points();
     const conformal::Points used = this->Mesh.Positions(this->Used, Eigen::all);
     const conformal::PointTree tree(used);
     for (conformal::Index i = 0; i < positions.rows(); ++i)
     {
       if (!positions.row(i).allFinite())
       {
-        throw std::invalid_argument(
-          "point " + std::to_string(i) + " of input port 1 is not finite; remove it");
+        throw std::invalid_argument("point " + std::to_string(i) + " of input port " +
+          std::to_string(port) + " is not finite; remove it");
       }
       this->Add(this->Used[tree.nearest(positions.row(i)).Id]);
     }
@@ -143,34 +148,28 @@ public:
     this->Add(this->Used[farthest]);
   }
 
-  const std::vector<int>& Ids() const { return this->Sources; }
+  const std::vector<int>& Ids() const { return this->List; }
 
 private:
   void Add(int vertex)
   {
-    if (!this->IsSource[vertex])
+    if (!this->IsListed[vertex])
     {
-      this->IsSource[vertex] = 1;
-      this->Sources.push_back(vertex);
+      this->IsListed[vertex] = 1;
+      this->List.push_back(vertex);
     }
   }
 
   const conformal::Mesh& Mesh;
   std::vector<int> Used;
-  std::vector<char> IsSource;
-  std::vector<int> Sources;
+  std::vector<char> IsListed;
+  std::vector<int> List;
 };
 
-// Return the sources that are given. If there are none, return the first of the farthest points,
-// and decrease the number of missing ones.
-std::vector<int> FindSources(const conformal::Mesh& mesh, vtkPolyData* surface,
-  const conformal::Points& picked, const std::vector<vtkIdType>& ids, const std::string& arrayName,
-  int& missing)
+// If there are no sources, add the first of the farthest points, and decrease the number of missing
+// ones.
+void RequireSources(VertexList& list, int& missing)
 {
-  SourceList list(mesh);
-  list.AddNearest(picked);
-  list.AddIds(ids);
-  list.AddMarked(surface, arrayName);
   if (list.Ids().empty() && missing > 0)
   {
     list.AddOuter();
@@ -181,7 +180,6 @@ std::vector<int> FindSources(const conformal::Mesh& mesh, vtkPolyData* surface,
     throw std::invalid_argument("there are no sources; add points at input port 1, or set "
                                 "SourceArrayName or NumberOfFarthestPoints");
   }
-  return list.Ids();
 }
 
 void AddDistances(vtkPointData* data, const Eigen::VectorXd& distances,
@@ -219,13 +217,84 @@ void SetSources(vtkPolyData* output, vtkPolyData* surface, const std::vector<int
   output->SetPoints(points);
   output->GetPointData()->AddArray(ids);
 }
+
+// Paths, as polylines.
+class PathLines
+{
+public:
+  void Add(const conformal::PathStraightener& surface, const std::vector<int>& vertices)
+  {
+    const std::vector<conformal::PathPoint> path = surface.straighten(vertices);
+    this->Lines->InsertNextCell(static_cast<int>(path.size()));
+    double length = 0.0;
+    for (std::size_t i = 0; i < path.size(); ++i)
+    {
+      this->Lines->InsertCellPoint(static_cast<vtkIdType>(this->Places.size()));
+      this->Places.push_back(surface.positionOf(path[i]));
+      length += i > 0 ? (this->Places.back() - this->Places.end()[-2]).norm() : 0.0;
+    }
+    this->Lengths.push_back(length);
+    this->Targets->InsertNextValue(vertices.front());
+    this->Sources->InsertNextValue(vertices.back());
+  }
+
+  void CopyTo(vtkPolyData* output, const conformal::CoordinateFrame& frame) const
+  {
+    conformal::Points places(static_cast<conformal::Index>(this->Places.size()), 3);
+    for (conformal::Index i = 0; i < places.rows(); ++i)
+    {
+      places.row(i) = this->Places[i];
+    }
+    glue::SetPoints(output, places, frame);
+    output->SetLines(this->Lines);
+    this->Targets->SetName("TargetId");
+    this->Sources->SetName("SourceId");
+    output->GetCellData()->AddArray(this->Targets);
+    output->GetCellData()->AddArray(this->Sources);
+    glue::AddLengths(output->GetCellData(), "PathLength", this->Lengths, frame);
+  }
+
+private:
+  std::vector<conformal::Vector3> Places;
+  std::vector<double> Lengths;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkIdTypeArray> Targets, Sources;
+};
+
+// Find paths from targets to sources.
+void SetPaths(vtkPolyData* output, const conformal::Mesh& mesh, const std::vector<int>& targets,
+  const std::vector<int>& sources, const conformal::CoordinateFrame& frame,
+  const conformal::Run& run)
+{
+  if (targets.empty())
+  {
+    return;
+  }
+  const std::vector<int> ways = conformal::waysToSources(mesh, sources);
+  const conformal::PathStraightener surface(mesh);
+  PathLines lines;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    std::vector<int> vertices = { targets[i] };
+    while (ways[vertices.back()] >= 0 && ways[vertices.back()] != vertices.back())
+    {
+      vertices.push_back(ways[vertices.back()]);
+    }
+    if (vertices.size() > 1)
+    {
+      lines.Add(surface, vertices);
+    }
+    run.report(static_cast<double>(i + 1) / static_cast<double>(targets.size()));
+  }
+  lines.CopyTo(output, frame);
+}
 }
 
 //------------------------------------------------------------------------------
 vtkSurfaceGeodesics::vtkSurfaceGeodesics()
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(3);
 }
 
 //------------------------------------------------------------------------------
@@ -238,6 +307,18 @@ void vtkSurfaceGeodesics::SetSourcesConnection(vtkAlgorithmOutput* algOutput)
 void vtkSurfaceGeodesics::SetSourcesData(vtkPointSet* sources)
 {
   this->SetInputData(1, sources);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesics::SetTargetsConnection(vtkAlgorithmOutput* algOutput)
+{
+  this->SetInputConnection(2, algOutput);
+}
+
+//------------------------------------------------------------------------------
+void vtkSurfaceGeodesics::SetTargetsData(vtkPointSet* targets)
+{
+  this->SetInputData(2, targets);
 }
 
 //------------------------------------------------------------------------------
@@ -264,10 +345,16 @@ vtkPolyData* vtkSurfaceGeodesics::GetSources()
 }
 
 //------------------------------------------------------------------------------
+vtkPolyData* vtkSurfaceGeodesics::GetPaths()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+//------------------------------------------------------------------------------
 int vtkSurfaceGeodesics::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0 ? 1 : 0);
   return 1;
 }
 
@@ -277,6 +364,7 @@ int vtkSurfaceGeodesics::RequestData(
 {
   const auto surface = glue::Held(vtkPolyData::GetData(inputVector[0]));
   const auto picked = glue::Held(vtkPointSet::GetData(inputVector[1]));
+  const auto starts = glue::Held(vtkPointSet::GetData(inputVector[2]));
   return glue::RunCore(this,
     [&]()
     {
@@ -286,22 +374,29 @@ int vtkSurfaceGeodesics::RequestData(
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::Mesh mesh = ToMesh(surface, frame);
+      VertexList targets(mesh), given(mesh);
+      targets.AddNearest(starts, frame, 2);
+      given.AddNearest(picked, frame, 1);
+      given.AddIds(this->SourceIds);
+      given.AddMarked(surface, this->SourceArrayName);
       int missing = this->NumberOfFarthestPoints;
-      std::vector<int> sources = FindSources(mesh, surface,
-        picked ? glue::ToPoints(picked->GetPoints(), frame) : conformal::Points(), this->SourceIds,
-        this->SourceArrayName, missing);
-      // Relative costs of the factorization, the farthest points, and the distances.
-      conformal::Steps steps(glue::RunOf(this), { 1.0, 0.1 * missing, 0.15 });
+      RequireSources(given, missing);
+      std::vector<int> sources = given.Ids();
+      // Relative costs of the factorization, the farthest points, the distances and the paths.
+      conformal::Steps steps(glue::RunOf(this),
+        { 1.0, 0.1 * missing, 0.15, 0.002 * static_cast<double>(targets.Ids().size()) });
       const conformal::HeatDistances heat(mesh, steps.next());
       conformal::addFarthestVertices(heat, missing, sources, steps.next());
       steps.next();
       const Eigen::VectorXd distances = heat.from(sources);
-      const vtkNew<vtkPolyData> result, vertices;
+      const vtkNew<vtkPolyData> result, vertices, paths;
       result->ShallowCopy(surface);
       AddDistances(result->GetPointData(), distances, heat.nearestSources(sources), sources, frame);
       SetSources(vertices, surface, sources);
+      SetPaths(paths, mesh, targets.Ids(), sources, frame, steps.next());
       vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(vertices);
+      vtkPolyData::GetData(outputVector, 2)->ShallowCopy(paths);
     });
 }
 

@@ -12,6 +12,9 @@
  * Input port 1: vtkPointSet, optional. Each of its points adds the nearest point of the surface to
  * the sources, such as points that were picked.
  *
+ * Input port 2: vtkPointSet, optional. The nearest point of the surface to each of its points is
+ * the start of a path, see output port 2.
+ *
  * Other sources are the points where the array SourceArrayName is not 0, and the points of
  * AddSourceId(). NumberOfFarthestPoints adds points that are far from all others, for example for
  * samples that are spread evenly. If there are no sources, there is an error.
@@ -26,6 +29,13 @@
  * AddSourceId(), then those of the array, then the farthest points. Point array "SourceId"
  * (idtype): point id on the surface.
  *
+ * Output port 2: vtkPolyData, a polyline for each point of input port 2 that is connected with a
+ * source: from the point of the surface to the source that is nearest along edges. The path is
+ * locally shortest: it crosses triangles in any direction, and is straight across edges. It is
+ * found from the shortest path along edges. Cell arrays "TargetId" and "SourceId" (idtype): point
+ * ids of both ends; "PathLength" (double): length. If there are paths, each edge of the surface
+ * must have at most two triangles, consistently oriented.
+ *
  * Distances are computed by the heat method (K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in
  * Heat", ACM Transactions on Graphics 32 (2013)) on the intrinsic Delaunay triangulation (M. Fisher
  * et al., "An algorithm for the construction of intrinsic Delaunay triangulations", Computing 81
@@ -33,7 +43,9 @@
  * points, the mean error is 0.6 %. A vertex belongs to the nearest source of the neighbor that is
  * next on its path, so that borders of cells are exact to about one edge.
  *
- * vtkDijkstraGraphGeodesicPath measures paths along edges, which are longer by several percent.
+ * Paths are locally shortest by the criterion of N. Sharp, K. Crane, "You Can Find Geodesic Paths
+ * in Triangle Meshes by Just Flipping Edges", ACM Transactions on Graphics 39 (2020).
+ * vtkDijkstraGraphGeodesicPath finds paths along edges, which are longer by several percent.
  *
  * @sa
  * vtkSurfaceShape vtkBodyMap
@@ -68,6 +80,14 @@ public:
 
   ///@{
   /**
+   * Connect or set the points of input port 2, from which paths start.
+   */
+  void SetTargetsConnection(vtkAlgorithmOutput* algOutput);
+  void SetTargetsData(vtkPointSet* targets);
+  ///@}
+
+  ///@{
+  /**
    * Add the id of a point of the surface to the sources. Default is none.
    */
   void AddSourceId(vtkIdType id);
@@ -97,6 +117,11 @@ public:
    * Return the sources, output port 1.
    */
   vtkPolyData* GetSources();
+
+  /**
+   * Return the paths, output port 2.
+   */
+  vtkPolyData* GetPaths();
 
 protected:
   vtkSurfaceGeodesics();

@@ -19,7 +19,8 @@ Case SurfaceGeodesics()
     Values<F, vtkIdType>(
       "SourceIds", ExtremeIds(), [](F* f, const vtkIdType& id) { f->AddSourceId(id); }) };
   const Mode picked = { "picked points",
-    { Variant(BadPoints | BadIds), Places(BadPoints, "sources") } };
+    { Variant(BadPoints | BadIds), Places(BadPoints, "sources"),
+      Places(BadPoints, "starts of paths") } };
   all.Modes = { farthest, picked };
   all.Scaled = { Scaled<F>(
     "MeasuresDistances",
@@ -27,8 +28,9 @@ Case SurfaceGeodesics()
     {
       f->SetInputData(BumpyMesh(scale));
       f->AddSourceId(5);
+      f->SetTargetsData(BumpyMesh(scale));
     },
-    { { "GeodesicDistance", 1 } }, 1e-7) };
+    { { "GeodesicDistance", 1 }, { "PathLength", 1 } }, 1e-7) };
   all.Progress = { Run<F>(
     "many", []() { return Head(120); }, [](F* f) { f->SetNumberOfFarthestPoints(20); }) };
   all.Fuzz = [](fuzz::FilterSource& source)

@@ -3,6 +3,7 @@
 #include "FilterContract.h"
 #include "vtkGeodesicSphereSource.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -115,6 +116,30 @@ TEST(SurfaceGeodesics, AddsSourcesByIdsArrayAndDistance)
     EXPECT_EQ(NearestOf(filter)->GetValue(ids->GetValue(i)), ids->GetValue(i));
   }
   EXPECT_LT(DistancesOf(filter)->GetRange()[1], 1.8);
+}
+
+TEST(SurfaceGeodesics, FindsPaths)
+{
+  const auto plane = Square();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.5, -0.2, 0.0);
+  points->InsertNextPoint(-0.5, -0.5, 0.0); // the source
+  vtkNew<vtkPolyData> starts;
+  starts->SetPoints(points);
+  vtkNew<vtkSurfaceGeodesics> filter;
+  filter->SetInputConnection(plane->GetOutputPort());
+  filter->SetTargetsData(starts);
+  filter->AddSourceId(0);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  vtkPolyData* paths = filter->GetPaths();
+  ASSERT_EQ(paths->GetNumberOfLines(), 1); // no path from the source to itself
+  vtkCellData* data = paths->GetCellData();
+  EXPECT_NEAR(data->GetArray("PathLength")->GetComponent(0, 0), std::hypot(1.0, 0.3), 1e-6);
+  EXPECT_EQ(data->GetArray("SourceId")->GetComponent(0, 0), 0.0);
+  EXPECT_EQ(data->GetArray("TargetId")->GetComponent(0, 0), 12 * 41 + 40);
+  EXPECT_GT(paths->GetNumberOfPoints(), 40);
 }
 
 TEST(SurfaceGeodesics, ReportsMissingAndInvalidSources)

@@ -20,16 +20,6 @@ constexpr double MinimumExcess = 1e-5;
 // Edge of a triangle: triangle * 3 + corner at which the edge starts.
 using Side = int;
 
-int nextCorner(int corner)
-{
-  return corner == 2 ? 0 : corner + 1;
-}
-
-int thirdCorner(int corner)
-{
-  return corner == 0 ? 2 : corner - 1;
-}
-
 // Find the side of the neighboring triangle for each side; -1 for sides that are kept.
 std::vector<Side> gluedSides(const Triangles& triangles)
 {
@@ -45,7 +35,7 @@ std::vector<Side> gluedSides(const Triangles& triangles)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const int from = triangles(t, k), to = triangles(t, nextCorner(k));
+      const int from = triangles(t, k), to = triangles(t, next(k));
       edges.push_back(
         { std::min(from, to), std::max(from, to), static_cast<Side>(3 * t + k), from < to });
     }
@@ -78,9 +68,9 @@ Points edgeLengths(const Mesh& mesh)
   {
     for (int k = 0; k < 3; ++k)
     {
-      lengths(t, k) = (mesh.Positions.row(mesh.Triangles(t, nextCorner(k))) -
-        mesh.Positions.row(mesh.Triangles(t, k)))
-                        .norm();
+      lengths(t, k) =
+        (mesh.Positions.row(mesh.Triangles(t, next(k))) - mesh.Positions.row(mesh.Triangles(t, k)))
+          .norm();
     }
   }
   return lengths;
@@ -162,7 +152,7 @@ private:
   // Cotangent of the angle opposite a side.
   double cotangent(Side side) const
   {
-    return cotangentsOf(this->Result.Lengths.row(side / 3))[thirdCorner(side % 3)];
+    return cotangentsOf(this->Result.Lengths.row(side / 3))[previous(side % 3)];
   }
 
   // Flip an edge. Return the four sides around it.
@@ -173,21 +163,19 @@ private:
     Triangles& triangles = this->Result.Triangles;
     Points& lengths = this->Result.Lengths;
     // Triangles (a, b, c) and (b, a, d) become (c, a, d) and (d, b, c).
-    const int a = triangles(t, s), b = triangles(t, nextCorner(s)),
-              c = triangles(t, thirdCorner(s)), d = triangles(u, thirdCorner(r));
-    const double ab = lengths(t, s), bc = lengths(t, nextCorner(s)),
-                 ca = lengths(t, thirdCorner(s)), ad = lengths(u, nextCorner(r)),
-                 db = lengths(u, thirdCorner(r));
+    const int a = triangles(t, s), b = triangles(t, next(s)), c = triangles(t, previous(s)),
+              d = triangles(u, previous(r));
+    const double ab = lengths(t, s), bc = lengths(t, next(s)), ca = lengths(t, previous(s)),
+                 ad = lengths(u, next(r)), db = lengths(u, previous(r));
     const double xOfC = (ab * ab + ca * ca - bc * bc) / (2.0 * ab),
                  xOfD = (ab * ab + ad * ad - db * db) / (2.0 * ab);
     const double heights = 2.0 * (areaOf({ ab, bc, ca }) + areaOf({ ab, ad, db })) / ab;
     const double cd = std::hypot(xOfC - xOfD, heights);
-    const Side ofA = this->Glued[3 * t + thirdCorner(s)], ofD = this->Glued[3 * t + nextCorner(s)],
-               ofAD = this->Glued[3 * u + nextCorner(r)],
-               ofDB = this->Glued[3 * u + thirdCorner(r)];
+    const Side ofA = this->Glued[3 * t + previous(s)], ofD = this->Glued[3 * t + next(s)],
+               ofAD = this->Glued[3 * u + next(r)], ofDB = this->Glued[3 * u + previous(r)];
     // Sides of the quadrilateral before and after the flip, since they can be glued to each other.
-    const Side before[] = { 3 * t + thirdCorner(s), 3 * u + nextCorner(r), 3 * u + thirdCorner(r),
-      3 * t + nextCorner(s) };
+    const Side before[] = { 3 * t + previous(s), 3 * u + next(r), 3 * u + previous(r),
+      3 * t + next(s) };
     const Side after[] = { 3 * t, 3 * t + 1, 3 * u, 3 * u + 1 };
     const Side others[] = { ofA, ofAD, ofDB, ofD };
     triangles.row(t) << c, a, d;
@@ -249,7 +237,7 @@ Vector3 cotangentsOf(const Vector3& lengths)
   for (int k = 0; k < 3; ++k)
   {
     // The edges at corner k are edges k and k - 1.
-    result[k] = (squares[k] + squares[thirdCorner(k)] - squares[nextCorner(k)]) / (4.0 * area);
+    result[k] = (squares[k] + squares[previous(k)] - squares[next(k)]) / (4.0 * area);
   }
   return result;
 }
