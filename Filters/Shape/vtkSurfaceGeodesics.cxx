@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkSurfaceGeodesics);
@@ -218,24 +219,55 @@ void SetSources(vtkPolyData* output, vtkPolyData* surface, const std::vector<int
   output->GetPointData()->AddArray(ids);
 }
 
+// Path from a vertex to a source.
+struct Path
+{
+  std::vector<conformal::Vector3> Places;
+  double Length = std::numeric_limits<double>::infinity();
+  int Target = -1, Source = -1;
+};
+
+// Follow the ways along edges, and straighten the path. If the ways do not lead to a source, or the
+// vertex is a source, the length is infinite.
+Path FindPath(const conformal::PathStraightener& surface, int vertex, const std::vector<int>& ways)
+{
+  std::vector<int> vertices = { vertex };
+  while (ways[vertices.back()] >= 0 && ways[vertices.back()] != vertices.back())
+  {
+    vertices.push_back(ways[vertices.back()]);
+  }
+  Path path;
+  if (vertices.size() < 2 || ways[vertices.back()] < 0)
+  {
+    return path;
+  }
+  path.Length = 0.0;
+  path.Target = vertex;
+  path.Source = vertices.back();
+  for (const conformal::PathPoint& point : surface.straighten(vertices))
+  {
+    path.Places.push_back(surface.positionOf(point));
+    path.Length +=
+      path.Places.size() > 1 ? (path.Places.back() - path.Places.end()[-2]).norm() : 0.0;
+  }
+  return path;
+}
+
 // Paths, as polylines.
 class PathLines
 {
 public:
-  void Add(const conformal::PathStraightener& surface, const std::vector<int>& vertices)
+  void Add(const Path& path)
   {
-    const std::vector<conformal::PathPoint> path = surface.straighten(vertices);
-    this->Lines->InsertNextCell(static_cast<int>(path.size()));
-    double length = 0.0;
-    for (std::size_t i = 0; i < path.size(); ++i)
+    this->Lines->InsertNextCell(static_cast<int>(path.Places.size()));
+    for (const conformal::Vector3& place : path.Places)
     {
       this->Lines->InsertCellPoint(static_cast<vtkIdType>(this->Places.size()));
-      this->Places.push_back(surface.positionOf(path[i]));
-      length += i > 0 ? (this->Places.back() - this->Places.end()[-2]).norm() : 0.0;
+      this->Places.push_back(place);
     }
-    this->Lengths.push_back(length);
-    this->Targets->InsertNextValue(vertices.front());
-    this->Sources->InsertNextValue(vertices.back());
+    this->Lengths.push_back(path.Length);
+    this->Targets->InsertNextValue(path.Target);
+    this->Sources->InsertNextValue(path.Source);
   }
 
   void CopyTo(vtkPolyData* output, const conformal::CoordinateFrame& frame) const
@@ -263,26 +295,25 @@ private:
 
 // Find paths from targets to sources.
 void SetPaths(vtkPolyData* output, const conformal::Mesh& mesh, const std::vector<int>& targets,
-  const std::vector<int>& sources, const conformal::CoordinateFrame& frame,
-  const conformal::Run& run)
+  const std::vector<int>& sources, const Eigen::VectorXd& distances,
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
   if (targets.empty())
   {
     return;
   }
-  const std::vector<int> ways = conformal::waysToSources(mesh, sources);
+  const std::vector<int> along = conformal::waysToSources(mesh, sources),
+                         downhill = conformal::waysDownhill(mesh, distances);
   const conformal::PathStraightener surface(mesh);
   PathLines lines;
   for (std::size_t i = 0; i < targets.size(); ++i)
   {
-    std::vector<int> vertices = { targets[i] };
-    while (ways[vertices.back()] >= 0 && ways[vertices.back()] != vertices.back())
+    const Path first = FindPath(surface, targets[i], along),
+               second = FindPath(surface, targets[i], downhill);
+    const Path& shorter = second.Length < first.Length ? second : first;
+    if (shorter.Target >= 0)
     {
-      vertices.push_back(ways[vertices.back()]);
-    }
-    if (vertices.size() > 1)
-    {
-      lines.Add(surface, vertices);
+      lines.Add(shorter);
     }
     run.report(static_cast<double>(i + 1) / static_cast<double>(targets.size()));
   }
@@ -393,7 +424,7 @@ int vtkSurfaceGeodesics::RequestData(
       result->ShallowCopy(surface);
       AddDistances(result->GetPointData(), distances, heat.nearestSources(sources), sources, frame);
       SetSources(vertices, surface, sources);
-      SetPaths(paths, mesh, targets.Ids(), sources, frame, steps.next());
+      SetPaths(paths, mesh, targets.Ids(), sources, distances, frame, steps.next());
       vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(vertices);
       vtkPolyData::GetData(outputVector, 2)->ShallowCopy(paths);

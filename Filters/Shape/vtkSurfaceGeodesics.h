@@ -30,11 +30,11 @@
  * (idtype): point id on the surface.
  *
  * Output port 2: vtkPolyData, a polyline for each point of input port 2 that is connected with a
- * source: from the point of the surface to the source that is nearest along edges. The path is
- * locally shortest: it crosses triangles in any direction, and is straight across edges. It is
- * found from the shortest path along edges. Cell arrays "TargetId" and "SourceId" (idtype): point
- * ids of both ends; "PathLength" (double): length. If there are paths, each edge of the surface
- * must have at most two triangles, consistently oriented.
+ * source. The path is locally shortest: it crosses triangles in any direction, and is straight
+ * across edges. It is the shorter one of two paths: found from the shortest path along edges, and
+ * from the path on which "GeodesicDistance" decreases most. Cell arrays "TargetId" and "SourceId"
+ * (idtype): point ids of both ends; "PathLength" (double): length. If there are paths, each edge of
+ * the surface must have at most two triangles, consistently oriented.
  *
  * Distances are computed by the heat method (K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in
  * Heat", ACM Transactions on Graphics 32 (2013)) on the intrinsic Delaunay triangulation (M. Fisher

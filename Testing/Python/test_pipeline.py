@@ -215,6 +215,7 @@ def beside_the_chain(stages):
     geodesics = conformalsom.vtkSurfaceGeodesics()
     geodesics.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     geodesics.AddSourceId(0)
+    geodesics.SetTargetsConnection(stages["vtkConformalSOM"].GetOutputPort())
     geodesics.Update()
     filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series,
                resample, repair, body, chart, outside, layers, labels, drawn,

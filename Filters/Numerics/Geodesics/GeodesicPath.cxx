@@ -116,6 +116,29 @@ std::vector<int> waysToSources(const Mesh& mesh, const std::vector<int>& sources
 }
 
 //------------------------------------------------------------------------------
+std::vector<int> waysDownhill(const Mesh& mesh, const Eigen::VectorXd& distances)
+{
+  const Index size = mesh.Positions.rows();
+  const Adjacency neighbors = vertexNeighbors(mesh.Triangles, size);
+  std::vector<int> ways(size, -1);
+  for (int v = 0; v < static_cast<int>(size); ++v)
+  {
+    ways[v] = distances[v] == 0.0 ? v : -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const int* u = neighbors.begin(v); u != neighbors.end(v) && ways[v] != v; ++u)
+    {
+      const double length = distances[*u] + (mesh.Positions.row(*u) - mesh.Positions.row(v)).norm();
+      if (distances[*u] < distances[v] && length < least)
+      {
+        least = length;
+        ways[v] = *u;
+      }
+    }
+  }
+  return ways;
+}
+
+//------------------------------------------------------------------------------
 PathStraightener::PathStraightener(const Mesh& mesh)
   : Surface(withSimpleEdges(mesh))
   , Around(vertexTriangles(mesh.Triangles, mesh.Positions.rows()))
@@ -170,7 +193,10 @@ std::vector<PathPoint> PathStraightener::straighten(const std::vector<int>& vert
     for (; portal < end; ++portal)
     {
       const Portal& edge = unfolded.Portals[portal];
-      if (edge.Left != result.back().First && edge.Right != result.back().First)
+      const PathPoint& before = result.back();
+      const bool isAtEnd =
+        before.First == before.Second && (edge.Left == before.First || edge.Right == before.First);
+      if (!isAtEnd)
       {
         const Vector2 along = edge.RightPlace - edge.LeftPlace;
         const double whole = cross(along, to - from);

@@ -25,6 +25,13 @@ struct PathPoint
 ///   not connected with a source
 std::vector<int> waysToSources(const Mesh& mesh, const std::vector<int>& sources);
 
+/// Find paths along edges on which distances decrease: the next vertex v is the neighbor with the
+/// smallest sum of its distance and the length of the edge. Locally shortest paths found from them
+/// usually pass obstacles on the right side, on which paths along edges can be longer.
+/// @param[in] distances  approximate distance of each vertex from a source, as of HeatDistances
+/// @return like waysToSources(); -1 also for vertices whose neighbors have no smaller distance
+std::vector<int> waysDownhill(const Mesh& mesh, const Eigen::VectorXd& distances);
+
 /// Surface on which paths are straightened.
 ///
 /// Own construction, with the criterion of \cite Sharp2020b: a path is locally shortest if, at each

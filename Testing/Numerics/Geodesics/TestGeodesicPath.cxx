@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -65,6 +66,27 @@ double lengthOf(const PathStraightener& surface, const std::vector<PathPoint>& p
     length += (surface.positionOf(path[i]) - surface.positionOf(path[i - 1])).norm();
   }
   return length;
+}
+
+// Return whether each two successive points are in a triangle.
+bool isOnSurface(const Mesh& mesh, const std::vector<PathPoint>& path)
+{
+  const conformal::Adjacency around =
+    conformal::vertexTriangles(mesh.Triangles, mesh.Positions.rows());
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    const auto hasAll = [&](int t)
+    {
+      const auto has = [&](int v) { return (mesh.Triangles.row(t).array() == v).any(); };
+      return has(path[i].First) && has(path[i].Second) && has(path[i - 1].First) &&
+        has(path[i - 1].Second);
+    };
+    if (std::none_of(around.begin(path[i].First), around.end(path[i].First), hasAll))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 // A square of n by n cells, without the cells for which `isHole` is true.
@@ -170,6 +192,7 @@ TEST(GeodesicPath, IsShorterThanPathsAlongEdgesOnBumps)
     {
       along.push_back({ v, v, 0.0 });
     }
+    EXPECT_TRUE(isOnSurface(mesh, surface.straighten(edges)));
     const double before = lengthOf(surface, along),
                  after = lengthOf(surface, surface.straighten(edges));
     EXPECT_LE(after, before * (1.0 + 1e-12));
