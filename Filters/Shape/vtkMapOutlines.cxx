@@ -158,9 +158,14 @@ void RequireOutlineMap(const conformal::MapImage& map)
   }
 }
 
-void WarnOfOutside(vtkObject* self, const std::vector<conformal::SurfaceOutline>& outlines,
+void WarnOfMissing(vtkObject* self, const std::vector<conformal::SurfaceOutline>& outlines,
   const std::vector<int>& cells)
 {
+  if (outlines.empty())
+  {
+    glue::WarnOfEmptyInput(
+      self, "there are no lines or polygons at input port 1; the output is empty");
+  }
   int count = 0, first = -1;
   for (std::size_t i = outlines.size(); i-- > 0;)
   {
@@ -251,7 +256,7 @@ int vtkMapOutlines::RequestData(
       FillOutlineLines(lines, read, measured, frame);
       const vtkNew<vtkTable> rows;
       FillOutlineTable(rows, read, measured, frame);
-      WarnOfOutside(this, measured, read.Cells);
+      WarnOfMissing(this, measured, read.Cells);
       output->ShallowCopy(lines);
       table->ShallowCopy(rows);
     });

@@ -142,7 +142,7 @@ class TestMovie(unittest.TestCase):
         self.assertLess(abs(areas[1] / areas[0] / GROWTH**2 - 1.0), 0.02)
         self.assertLess(abs(volumes[1] / volumes[0] / GROWTH**3 - 1.0), 0.02)
         growth = 2.0 * np.log(GROWTH) / 30.0  # of areas per second
-        self.assertLess(abs(float(rows[1]["mean_area_rate"]) / growth - 1.0), 0.25)  # noise of the maps adds stretch
+        self.assertLess(abs(float(rows[1]["mean_area_rate"]) / growth - 1.0), 0.45)  # noise of the maps adds stretch
 
     def expect_places(self):
         """Expect that each cell has the same position on the sphere in all frames."""

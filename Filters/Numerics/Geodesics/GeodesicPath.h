@@ -34,12 +34,12 @@ std::vector<int> waysDownhill(const Mesh& mesh, const Eigen::VectorXd& distances
 
 /// Surface on which paths are straightened.
 ///
-/// Own construction, with the criterion of \cite Sharp2020b: a path is locally shortest if, at each
-/// vertex on it, the angles of the surface on both sides are at least pi. The triangles that a path
-/// crosses are unfolded in the plane, where the shortest path among them is found by the funnel
-/// method, \cite Lee1984. Where the path touches a vertex whose angle on the other side is smaller
-/// than pi, the triangles on the other side replace those that were crossed. Each replacement makes
-/// the path shorter.
+/// Own construction, with the criterion of \cite Sharp2020b for a locally shortest path. At each
+/// vertex on such a path, the angles of the surface on both sides are at least pi. The triangles
+/// that a path crosses are unfolded in the plane, where the shortest path among them is found by
+/// the funnel method, \cite Lee1984. Where the path touches a vertex whose angle on the other side
+/// is smaller than pi, the triangles on the other side replace those that were crossed. Each
+/// replacement makes the path shorter.
 class PathStraightener
 {
 public:
