@@ -4,6 +4,8 @@
 #include "Properties.h"
 #include "Surfaces.h"
 
+#include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 namespace cases
@@ -28,7 +30,12 @@ Case SurfaceGeodesics()
     {
       f->SetInputData(BumpyMesh(scale));
       f->AddSourceId(5);
-      f->SetTargetsData(BumpyMesh(scale));
+      vtkNew<vtkPolyData> starts;
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      points->InsertNextPoint(BumpyMesh(scale)->GetPoint(100));
+      starts->SetPoints(points);
+      f->SetTargetsData(starts);
     },
     { { "GeodesicDistance", 1 }, { "PathLength", 1 } }, 1e-7) };
   all.Progress = { Run<F>(
