@@ -3,7 +3,7 @@ import argparse
 import os
 
 from . import jobs, movie_frames, movie_page, movie_results, outputs, volumes
-from .plan import Checks, Paths, WrongUsage, expect_extension, expect_name, expect_utf8, parsed
+from .plan import Checks, Paths, WrongUsage, expect_extension, expect_name, expect_utf8, in_range, parsed
 from .scan_files import inputs_of
 from .surfaces import Task
 
@@ -30,17 +30,6 @@ examples:
 exit status: as that of conformalsom; 1 also if frames were skipped."""
 
 LARGEST = 1000000
-
-
-def in_range(low, high, kind=int):
-    """The type of a number in [low, high]."""
-    def number(text):
-        value = kind(text)
-        if not low <= value <= high:
-            raise argparse.ArgumentTypeError(f"{value} is not in [{low}, {high}]")
-        return value
-    number.__name__ = "number"
-    return number
 
 
 def arguments(argv):

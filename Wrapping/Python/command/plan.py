@@ -79,6 +79,17 @@ def positive(text):
     return number
 
 
+def in_range(low, high):
+    """The type of an integer in [low, high]."""
+    def number(text):
+        value = int(text)
+        if not low <= value <= high:
+            raise argparse.ArgumentTypeError(f"{value} is not in [{low}, {high}]")
+        return value
+    number.__name__ = "number"
+    return number
+
+
 def expect_directions(view, up):
     """Raise WrongUsage where the viewer's directions give no picture."""
     across = numpy.cross(view, up)

@@ -3,7 +3,7 @@ import argparse
 import os
 
 from . import jobs, outputs, shape_groups, shape_landmarks, shape_page, shape_results, shape_steps
-from .plan import Paths, WrongUsage, expect_directions, expect_name, expect_utf8, parsed, positive
+from .plan import Paths, WrongUsage, expect_directions, expect_name, expect_utf8, in_range, parsed, positive
 from .scan_files import inputs_of, scan_reader
 
 DESCRIPTION = """\
@@ -25,17 +25,6 @@ FOLDER then contains
 exit status: as that of conformalsom. After an error, results are not written."""
 
 FORMATS = [extension for extension in outputs.SURFACES if extension not in (".glb", ".html")]
-
-
-def in_range(low, high):
-    """The type of an integer in [low, high]."""
-    def number(text):
-        value = int(text)
-        if not low <= value <= high:
-            raise argparse.ArgumentTypeError(f"{value} is not in [{low}, {high}]")
-        return value
-    number.__name__ = "number"
-    return number
 
 
 def arguments(argv):
