@@ -1,6 +1,7 @@
 #include "vtkBodyMapImage.h"
 
 #include "Body/MapImage.h"
+#include "Projections.h"
 #include "Properties.h"
 #include "Surfaces.h"
 
@@ -15,19 +16,10 @@ std::vector<Mirror> Mirrors()
 {
   const conformal::MapImage image;
   vtkNew<vtkBodyMapImage> filter;
-  using conformal::MapProjection;
-  using Filter = vtkBodyMapImage;
-  return { Same("Projection", filter->GetProjection(), static_cast<int>(image.Projection)),
-    Same("CentralLongitude", filter->GetCentralLongitude(), image.CentralLongitude),
-    Same(
-      "EQUIRECTANGULAR", Filter::EQUIRECTANGULAR, static_cast<int>(MapProjection::Equirectangular)),
-    Same("LAMBERT_AZIMUTHAL", Filter::LAMBERT_AZIMUTHAL,
-      static_cast<int>(MapProjection::LambertAzimuthal)),
-    Same("MOLLWEIDE", Filter::MOLLWEIDE, static_cast<int>(MapProjection::Mollweide)),
-    Same("PEIRCE_QUINCUNCIAL", Filter::PEIRCE_QUINCUNCIAL,
-      static_cast<int>(MapProjection::PeirceQuincuncial)),
-    Same("MERCATOR", Filter::MERCATOR, static_cast<int>(MapProjection::Mercator)),
-    Same("CAPSULE", Filter::CAPSULE, static_cast<int>(MapProjection::Capsule)) };
+  std::vector<Mirror> mirrors = ProjectionMirrors<vtkBodyMapImage>();
+  mirrors.push_back(
+    Same("CentralLongitude", filter->GetCentralLongitude(), image.CentralLongitude));
+  return mirrors;
 }
 }
 

@@ -1,6 +1,6 @@
 #include "vtkMapLabels.h"
 
-#include "Body/MapImage.h"
+#include "Projections.h"
 #include "Properties.h"
 #include "Surfaces.h"
 
@@ -29,23 +29,6 @@ vtkSmartPointer<vtkImageData> Columns(int width)
   image->GetPointData()->SetScalars(labels);
   return image;
 }
-
-// Constants of the class and of the core.
-std::vector<Mirror> Mirrors()
-{
-  using F = vtkMapLabels;
-  using conformal::MapProjection;
-  vtkNew<F> filter;
-  const auto same = [](const char* name, int ours, MapProjection core)
-  { return Same(name, ours, static_cast<int>(core)); };
-  return { same("Projection", filter->GetProjection(), conformal::MapImage().Projection),
-    same("EQUIRECTANGULAR", F::EQUIRECTANGULAR, MapProjection::Equirectangular),
-    same("LAMBERT_AZIMUTHAL", F::LAMBERT_AZIMUTHAL, MapProjection::LambertAzimuthal),
-    same("MOLLWEIDE", F::MOLLWEIDE, MapProjection::Mollweide),
-    same("PEIRCE_QUINCUNCIAL", F::PEIRCE_QUINCUNCIAL, MapProjection::PeirceQuincuncial),
-    same("MERCATOR", F::MERCATOR, MapProjection::Mercator),
-    same("CAPSULE", F::CAPSULE, MapProjection::Capsule) };
-}
 }
 
 Case MapLabels()
@@ -70,7 +53,7 @@ Case MapLabels()
     1e-7) };
   all.Progress = { Run<F>(
     "columns", []() { return BumpyMesh(1.0, 60); }, [](F* f) { f->SetLabelsData(Columns(400)); }) };
-  all.Mirrors = Mirrors;
+  all.Mirrors = ProjectionMirrors<F>;
   return all;
 }
 }

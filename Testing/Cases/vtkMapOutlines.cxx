@@ -1,6 +1,6 @@
 #include "vtkMapOutlines.h"
 
-#include "Body/MapImage.h"
+#include "Projections.h"
 #include "Properties.h"
 #include "Surfaces.h"
 
@@ -30,23 +30,6 @@ vtkSmartPointer<vtkPolyData> Triangles(int count)
   outlines->SetPoints(points);
   outlines->SetPolys(polygons);
   return outlines;
-}
-
-// Constants of the class and of the core.
-std::vector<Mirror> Mirrors()
-{
-  using F = vtkMapOutlines;
-  using conformal::MapProjection;
-  vtkNew<F> filter;
-  const auto same = [](const char* name, int ours, MapProjection core)
-  { return Same(name, ours, static_cast<int>(core)); };
-  return { same("Projection", filter->GetProjection(), conformal::MapImage().Projection),
-    same("EQUIRECTANGULAR", F::EQUIRECTANGULAR, MapProjection::Equirectangular),
-    same("LAMBERT_AZIMUTHAL", F::LAMBERT_AZIMUTHAL, MapProjection::LambertAzimuthal),
-    same("MOLLWEIDE", F::MOLLWEIDE, MapProjection::Mollweide),
-    same("PEIRCE_QUINCUNCIAL", F::PEIRCE_QUINCUNCIAL, MapProjection::PeirceQuincuncial),
-    same("MERCATOR", F::MERCATOR, MapProjection::Mercator),
-    same("CAPSULE", F::CAPSULE, MapProjection::Capsule) };
 }
 }
 
@@ -80,7 +63,7 @@ Case MapOutlines()
   all.Progress = { Run<F>(
     "triangles", []() { return BumpyMesh(1.0, 60); },
     [](F* f) { f->SetOutlinesData(Triangles(100)); }) };
-  all.Mirrors = Mirrors;
+  all.Mirrors = ProjectionMirrors<F>;
   return all;
 }
 }

@@ -1,6 +1,6 @@
 #include "vtkSurfaceLayers.h"
 
-#include "Body/MapImage.h"
+#include "Projections.h"
 #include "Properties.h"
 #include "Surfaces.h"
 
@@ -9,26 +9,6 @@
 
 namespace cases
 {
-namespace
-{
-// Defaults and constants of the class and of the core.
-std::vector<Mirror> Mirrors()
-{
-  using F = vtkSurfaceLayers;
-  using conformal::MapProjection;
-  vtkNew<F> filter;
-  const auto same = [](const char* name, int ours, MapProjection core)
-  { return Same(name, ours, static_cast<int>(core)); };
-  return { same("Projection", filter->GetProjection(), conformal::MapImage().Projection),
-    same("EQUIRECTANGULAR", F::EQUIRECTANGULAR, MapProjection::Equirectangular),
-    same("LAMBERT_AZIMUTHAL", F::LAMBERT_AZIMUTHAL, MapProjection::LambertAzimuthal),
-    same("MOLLWEIDE", F::MOLLWEIDE, MapProjection::Mollweide),
-    same("PEIRCE_QUINCUNCIAL", F::PEIRCE_QUINCUNCIAL, MapProjection::PeirceQuincuncial),
-    same("MERCATOR", F::MERCATOR, MapProjection::Mercator),
-    same("CAPSULE", F::CAPSULE, MapProjection::Capsule) };
-}
-}
-
 Case SurfaceLayers()
 {
   using F = vtkSurfaceLayers;
@@ -63,7 +43,7 @@ Case SurfaceLayers()
   all.Scaled = { samples };
   all.Progress = { Run<F>(
     "ball", []() { return BumpyMesh(1.0, 60); }, [](F* f) { f->SetVolumeData(BallVolume(30)); }) };
-  all.Mirrors = Mirrors;
+  all.Mirrors = ProjectionMirrors<F>;
   return all;
 }
 }
