@@ -8,6 +8,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
+#include "Mesh/MeshTopology.h"
 #include "Search/PointTree.h"
 
 #include "vtkCellArray.h"
@@ -57,40 +58,25 @@ conformal::Mesh ToMesh(vtkPolyData* surface, const conformal::CoordinateFrame& f
   return mesh;
 }
 
-// Ids of points that belong to triangles, in ascending order.
-std::vector<int> UsedPoints(const conformal::Mesh& mesh)
-{
-  std::vector<char> isUsed(mesh.Positions.rows(), 0);
-  for (const int id : mesh.Triangles.reshaped())
-  {
-    isUsed[id] = 1;
-  }
-  std::vector<int> used;
-  for (std::size_t v = 0; v < isUsed.size(); ++v)
-  {
-    if (isUsed[v])
-    {
-      used.push_back(static_cast<int>(v));
-    }
-  }
-  return used;
-}
-
 // List of distinct vertices, in the sequence in which they are added.
 class VertexList
 {
 public:
-  explicit VertexList(const conformal::Mesh& mesh)
+  /// @param used  vertices that belong to triangles
+  VertexList(const conformal::Mesh& mesh, const std::vector<int>& used)
     : Mesh(mesh)
-    , Used(UsedPoints(mesh))
+    , Used(used)
     , IsListed(mesh.Positions.rows(), 0)
   {
   }
 
   void AddNearest(vtkPointSet* picked, const conformal::CoordinateFrame& frame, int port)
   {
-    const conformal::Points positions =
-      picked ? glue::ToPoints(picked->GetPoints(), frame) : conformal::Points();
+    if (!picked || picked->GetNumberOfPoints() == 0)
+    {
+      return;
+    }
+    const conformal::Points positions = glue::ToPoints(picked->GetPoints(), frame);
     const conformal::Points used = this->Mesh.Positions(this->Used, Eigen::all);
     const conformal::PointTree tree(used);
     for (conformal::Index i = 0; i < positions.rows(); ++i)
@@ -162,7 +148,7 @@ private:
   }
 
   const conformal::Mesh& Mesh;
-  std::vector<int> Used;
+  const std::vector<int>& Used;
   std::vector<char> IsListed;
   std::vector<int> List;
 };
@@ -183,20 +169,20 @@ void RequireSources(VertexList& list, int& missing)
   }
 }
 
-void AddDistances(vtkPointData* data, const Eigen::VectorXd& distances,
-  const std::vector<int>& nearest, const std::vector<int>& sources,
-  const conformal::CoordinateFrame& frame)
+void AddDistances(vtkPointData* data, const conformal::NearestSources& nearest,
+  const std::vector<int>& sources, const conformal::CoordinateFrame& frame)
 {
-  std::vector<double> lengths(distances.begin(), distances.end());
-  glue::LengthsFromFrame(lengths.data(), distances.size(), frame, "the distances");
+  const conformal::Index size = nearest.Distances.size();
+  std::vector<double> lengths(nearest.Distances.begin(), nearest.Distances.end());
+  glue::LengthsFromFrame(lengths.data(), size, frame, "the distances");
   const vtkNew<vtkIdTypeArray> ids;
   ids->SetName("NearestSource");
-  ids->SetNumberOfValues(distances.size());
-  for (conformal::Index v = 0; v < distances.size(); ++v)
+  ids->SetNumberOfValues(size);
+  for (conformal::Index v = 0; v < size; ++v)
   {
-    const bool isReached = nearest[v] >= 0;
-    lengths[v] = isReached ? lengths[v] : -1.0;
-    ids->SetValue(v, isReached ? sources[nearest[v]] : -1);
+    const int position = nearest.Positions[v];
+    lengths[v] = position >= 0 ? lengths[v] : -1.0;
+    ids->SetValue(v, position >= 0 ? sources[position] : -1);
   }
   glue::AddNumbers(data, "GeodesicDistance", lengths);
   data->AddArray(ids);
@@ -302,7 +288,7 @@ void SetPaths(vtkPolyData* output, const conformal::Mesh& mesh, const std::vecto
   {
     return;
   }
-  const std::vector<int> along = conformal::waysToSources(mesh, sources),
+  const std::vector<int> along = conformal::pathsAlongEdges(mesh, sources).Ways,
                          downhill = conformal::waysDownhill(mesh, distances);
   const conformal::PathStraightener surface(mesh);
   PathLines lines;
@@ -405,7 +391,8 @@ int vtkSurfaceGeodesics::RequestData(
       }
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::Mesh mesh = ToMesh(surface, frame);
-      VertexList targets(mesh), given(mesh);
+      const std::vector<int> used = conformal::usedVertices(mesh.Triangles, mesh.Positions.rows());
+      VertexList targets(mesh, used), given(mesh, used);
       targets.AddNearest(starts, frame, 2);
       given.AddNearest(picked, frame, 1);
       given.AddIds(this->SourceIds);
@@ -419,12 +406,12 @@ int vtkSurfaceGeodesics::RequestData(
       const conformal::HeatDistances heat(mesh, steps.next());
       conformal::addFarthestVertices(heat, missing, sources, steps.next());
       steps.next();
-      const Eigen::VectorXd distances = heat.from(sources);
+      const conformal::NearestSources nearest = heat.nearestSources(sources);
       const vtkNew<vtkPolyData> result, vertices, paths;
       result->ShallowCopy(surface);
-      AddDistances(result->GetPointData(), distances, heat.nearestSources(sources), sources, frame);
+      AddDistances(result->GetPointData(), nearest, sources, frame);
       SetSources(vertices, surface, sources);
-      SetPaths(paths, mesh, targets.Ids(), sources, distances, frame, steps.next());
+      SetPaths(paths, mesh, targets.Ids(), sources, nearest.Distances, frame, steps.next());
       vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(vertices);
       vtkPolyData::GetData(outputVector, 2)->ShallowCopy(paths);

@@ -32,6 +32,12 @@ constexpr int previous(int corner)
   return corner == 0 ? 2 : corner - 1;
 }
 
+/// Compute the cross product of two vectors of the plane.
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// Read-only view of packed points, in float or double. The view does not own the memory, so that
 /// ten million points need no copy. On access, coordinates are divided by a unit of length, see
 /// CoordinateFrame.

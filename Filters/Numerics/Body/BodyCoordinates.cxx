@@ -2,7 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Mesh/GenusZeroCheck.h"
-#include "Mesh/VertexRings.h"
+#include "Mesh/MeshTopology.h"
 #include "Search/OutermostHits.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/MoebiusTransform.h"
@@ -13,7 +13,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <queue>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -150,42 +149,9 @@ BodyPoint atVertex(const Triangles& triangles, int vertex)
   return {};
 }
 
-// Compute the distances of all vertices from one along edges, by Dijkstra's algorithm. Vertices
-// that are not connected to it have the distance -1.
-Eigen::VectorXd distancesFrom(const MappedMesh& surface, const VertexRings& rings, int from)
+int farthest(const std::vector<double>& distances)
 {
-  Eigen::VectorXd distances = Eigen::VectorXd::Constant(surface.Positions.rows(), -1.0);
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  queue.emplace(0.0, from);
-  distances[from] = 0.0;
-  while (!queue.empty())
-  {
-    const auto [distance, v] = queue.top();
-    queue.pop();
-    if (distance > distances[v])
-    {
-      continue;
-    }
-    for (const int other : rings[v])
-    {
-      const double along =
-        distance + (surface.Positions.row(v) - surface.Positions.row(other)).norm();
-      if (distances[other] < 0.0 || along < distances[other])
-      {
-        distances[other] = along;
-        queue.emplace(along, other);
-      }
-    }
-  }
-  return distances;
-}
-
-int farthest(const Eigen::VectorXd& distances)
-{
-  Index best = 0;
-  distances.maxCoeff(&best);
-  return static_cast<int>(best);
+  return static_cast<int>(std::max_element(distances.begin(), distances.end()) - distances.begin());
 }
 
 // Ends of a surface, and a vertex midway between them.
@@ -196,11 +162,12 @@ struct SurfaceEnds
 
 SurfaceEnds findEnds(const MappedMesh& surface, const Vector3& axis)
 {
-  const VertexRings rings(surface.Triangles, surface.Positions.rows());
-  int north = farthest(distancesFrom(surface, rings, surface.Triangles(0, 0)));
-  const Eigen::VectorXd fromNorth = distancesFrom(surface, rings, north);
+  const auto distancesFrom = [&](int vertex)
+  { return pathsAlongEdges(surface, { vertex }).Lengths; };
+  int north = farthest(distancesFrom(surface.Triangles(0, 0)));
+  const std::vector<double> fromNorth = distancesFrom(north);
   int south = farthest(fromNorth);
-  const Eigen::VectorXd fromSouth = distancesFrom(surface, rings, south);
+  const std::vector<double> fromSouth = distancesFrom(south);
   constexpr double midway = 0.1; // of the distance of the ends
   const Eigen::VectorXd heights = surface.Positions * towardsLongitudeZero(axis);
   int middle = -1;

@@ -15,17 +15,6 @@ namespace
 {
 constexpr double Degree = Pi / 180.0;
 
-double cross(const Vector2& a, const Vector2& b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-// Angle between two vectors, accurate for all angles.
-double angleBetween(const Vector3& a, const Vector3& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 double signedArea(const std::vector<Vector2>& corners)
 {
   double twice = 0.0;

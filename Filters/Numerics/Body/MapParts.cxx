@@ -10,11 +10,6 @@ namespace conformal
 {
 namespace
 {
-double cross(const Vector2& a, const Vector2& b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 // Whether an image has all longitudes on a horizontal line, from the left to the right of the map.
 bool hasAllLongitudes(const MapImage& image, double y)
 {

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -16,11 +14,6 @@ namespace
 {
 using Vector2 = Eigen::Vector2d;
 constexpr double Tolerance = 1e-9; // of angles
-
-double cross(const Vector2& a, const Vector2& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // Angle between two directions, in [0, pi].
 double angleBetween(const Vector2& a, const Vector2& b)
@@ -79,43 +72,6 @@ struct PathStraightener::Touched
 };
 
 //------------------------------------------------------------------------------
-std::vector<int> waysToSources(const Mesh& mesh, const std::vector<int>& sources)
-{
-  const Index size = mesh.Positions.rows();
-  const Adjacency neighbors = vertexNeighbors(mesh.Triangles, size);
-  std::vector<double> lengths(size, std::numeric_limits<double>::infinity());
-  std::vector<int> ways(size, -1);
-  using Item = std::pair<double, int>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  for (const int source : sources)
-  {
-    lengths[source] = 0.0;
-    ways[source] = source;
-    queue.emplace(0.0, source);
-  }
-  while (!queue.empty())
-  {
-    const auto [length, v] = queue.top();
-    queue.pop();
-    if (length > lengths[v])
-    {
-      continue;
-    }
-    for (const int* u = neighbors.begin(v); u != neighbors.end(v); ++u)
-    {
-      const double longer = length + (mesh.Positions.row(*u) - mesh.Positions.row(v)).norm();
-      if (longer < lengths[*u])
-      {
-        lengths[*u] = longer;
-        ways[*u] = v;
-        queue.emplace(longer, *u);
-      }
-    }
-  }
-  return ways;
-}
-
-//------------------------------------------------------------------------------
 std::vector<int> waysDownhill(const Mesh& mesh, const Eigen::VectorXd& distances)
 {
   const Index size = mesh.Positions.rows();
@@ -152,7 +108,7 @@ PathStraightener::PathStraightener(const Mesh& mesh)
       const Vector3 here = mesh.Positions.row(mesh.Triangles(t, k)),
                     a = Vector3(mesh.Positions.row(mesh.Triangles(t, next(k)))) - here,
                     b = Vector3(mesh.Positions.row(mesh.Triangles(t, previous(k)))) - here;
-      this->Angles(t, k) = std::atan2(a.cross(b).norm(), a.dot(b));
+      this->Angles(t, k) = angleBetween(a, b);
     }
   }
 }

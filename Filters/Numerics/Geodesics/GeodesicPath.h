@@ -19,17 +19,11 @@ struct PathPoint
   double Fraction = 0.0; ///< position between First (0) and Second (1)
 };
 
-/// Find the shortest paths along edges to the nearest of some vertices, \cite Dijkstra1959.
-/// @param[in] sources  ids of vertices
-/// @return for each vertex, the next vertex on its path; its own id for a source, and -1 if it is
-///   not connected with a source
-std::vector<int> waysToSources(const Mesh& mesh, const std::vector<int>& sources);
-
 /// Find paths along edges on which distances decrease: the next vertex v is the neighbor with the
 /// smallest sum of its distance and the length of the edge. Locally shortest paths found from them
 /// usually pass obstacles on the right side, on which paths along edges can be longer.
 /// @param[in] distances  approximate distance of each vertex from a source, as of HeatDistances
-/// @return like waysToSources(); -1 also for vertices whose neighbors have no smaller distance
+/// @return like EdgePaths::Ways; -1 also for vertices whose neighbors have no smaller distance
 std::vector<int> waysDownhill(const Mesh& mesh, const Eigen::VectorXd& distances);
 
 /// Surface on which paths are straightened.

@@ -284,7 +284,7 @@ Eigen::VectorXd HeatDistances::divergence(const Eigen::VectorXd& heat) const
   return result;
 }
 
-std::vector<int> HeatDistances::nearestSources(const std::vector<int>& sources) const
+NearestSources HeatDistances::nearestSources(const std::vector<int>& sources) const
 {
   const Eigen::VectorXd distances = this->fineDistances(sources);
   const Index size = distances.size();
@@ -322,7 +322,7 @@ std::vector<int> HeatDistances::nearestSources(const std::vector<int>& sources) 
     }
   }
   nearest.resize(this->NumberOfVertices);
-  return nearest;
+  return { distances.head(this->NumberOfVertices), nearest };
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,15 @@
 
 namespace conformal
 {
+/// Distances from the nearest sources, and these sources.
+struct NearestSources
+{
+  Eigen::VectorXd Distances; ///< #V, as of HeatDistances::from()
+  /// For each vertex, the position of its source in the list of sources; -1 where the distance is
+  /// -1
+  std::vector<int> Positions;
+};
+
 /// Geodesic distances on a surface. The equations are factored once, for any number of sources.
 ///
 /// Implementation note: equations are those of the intrinsic Delaunay triangulation, so that the
@@ -38,8 +47,7 @@ public:
 
   /// Assign each vertex to its nearest source. A vertex belongs to the source of the neighbor that
   /// is next on the way to the source.
-  /// @return for each vertex, the position of its source in `sources`; -1 where the distance is -1
-  std::vector<int> nearestSources(const std::vector<int>& sources) const;
+  NearestSources nearestSources(const std::vector<int>& sources) const;
 
 private:
   Eigen::VectorXd divergence(const Eigen::VectorXd& heat) const;

@@ -110,24 +110,6 @@ Triangles asTriangles(const std::vector<int>& vertices)
   return triangles;
 }
 
-std::vector<int> usedVertices(const Triangles& triangles, Index numberOfVertices)
-{
-  std::vector<char> used(numberOfVertices, 0);
-  for (Index i = 0; i < triangles.size(); ++i)
-  {
-    used[triangles.data()[i]] = 1;
-  }
-  std::vector<int> vertices;
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    if (used[v])
-    {
-      vertices.push_back(v);
-    }
-  }
-  return vertices;
-}
-
 TriangleTree treeOf(const Points& points, const Triangles& triangles, const Run& run)
 {
   if (triangles.rows() > 0)

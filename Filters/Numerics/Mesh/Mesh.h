@@ -38,6 +38,12 @@ inline double cosineBetween(const Vector3& a, const Vector3& b)
   return lengths > 0.0 ? a.dot(b) / lengths : 0.0;
 }
 
+/// Compute the angle between two vectors, accurate for all angles.
+inline double angleBetween(const Vector3& a, const Vector3& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
 /// Compute the area vector of a triangle: the unit normal times the area.
 inline Vector3 areaVector(const Points& positions, const Triangles& triangles, Index triangle)
 {

@@ -1,7 +1,10 @@
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <queue>
+#include <utility>
 
 namespace conformal
 {
@@ -74,6 +77,59 @@ Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices)
     neighbors.Offsets.push_back(static_cast<int>(neighbors.Ids.size()));
   }
   return neighbors;
+}
+
+std::vector<int> usedVertices(const Triangles& triangles, Index numberOfVertices)
+{
+  std::vector<char> used(numberOfVertices, 0);
+  for (Index i = 0; i < triangles.size(); ++i)
+  {
+    used[triangles.data()[i]] = 1;
+  }
+  std::vector<int> vertices;
+  for (int v = 0; v < numberOfVertices; ++v)
+  {
+    if (used[v])
+    {
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+EdgePaths pathsAlongEdges(const Mesh& mesh, const std::vector<int>& sources)
+{
+  const Index size = mesh.Positions.rows();
+  const Adjacency neighbors = vertexNeighbors(mesh.Triangles, size);
+  EdgePaths paths{ std::vector<double>(size, -1.0), std::vector<int>(size, -1) };
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+  for (const int source : sources)
+  {
+    paths.Lengths[source] = 0.0;
+    paths.Ways[source] = source;
+    queue.emplace(0.0, source);
+  }
+  while (!queue.empty())
+  {
+    const auto [length, v] = queue.top();
+    queue.pop();
+    if (length > paths.Lengths[v])
+    {
+      continue;
+    }
+    for (const int* u = neighbors.begin(v); u != neighbors.end(v); ++u)
+    {
+      const double longer = length + (mesh.Positions.row(*u) - mesh.Positions.row(v)).norm();
+      if (paths.Lengths[*u] < 0.0 || longer < paths.Lengths[*u])
+      {
+        paths.Lengths[*u] = longer;
+        paths.Ways[*u] = v;
+        queue.emplace(longer, *u);
+      }
+    }
+  }
+  return paths;
 }
 
 Triangles triangleNeighbors(const Triangles& triangles, Index numberOfVertices, const Run& run)

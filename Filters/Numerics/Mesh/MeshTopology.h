@@ -34,6 +34,22 @@ Adjacency vertexTriangles(const Triangles& triangles, Index numberOfVertices);
 /// share an edge.
 Adjacency vertexNeighbors(const Triangles& triangles, Index numberOfVertices);
 
+/// List the vertices that belong to a triangle, in ascending order.
+std::vector<int> usedVertices(const Triangles& triangles, Index numberOfVertices);
+
+/// Shortest paths along edges to the nearest of some vertices.
+struct EdgePaths
+{
+  std::vector<double> Lengths; ///< for each vertex; -1 if it is not connected with a source
+  /// For each vertex, the next vertex on its path; its own id for a source, and -1 if it is not
+  /// connected with a source
+  std::vector<int> Ways;
+};
+
+/// Find the shortest paths along edges to the nearest of some vertices, \cite Dijkstra1959.
+/// @param[in] sources  ids of vertices
+EdgePaths pathsAlongEdges(const Mesh& mesh, const std::vector<int>& sources);
+
 /// Find the triangle across each edge. Entry (r, k) of the result belongs to edge (k, k + 1 mod 3)
 /// of triangle r. Its value is the id of the triangle that contains this edge in the opposite
 /// direction. If there is no such triangle, the value is -1.

@@ -1,19 +1,13 @@
 #include "Texture/SphericalTextureBlend.h"
 
+#include "Mesh/Mesh.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace conformal
 {
-namespace
-{
-double angleBetween(const Vector3& a, const Vector3& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-}
-
 //------------------------------------------------------------------------------
 double frontShare(const Vector3& n, const TwoPictures& pictures)
 {

@@ -69,11 +69,6 @@ std::vector<int> firstOfEqual(
   return firsts;
 }
 
-double angleBetween(const Vector3& a, const Vector3& b)
-{
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 // Add the direction of s in a triangle to the sums of its three corners.
 void addTriangle(const Mesh& surface, const Points& normals, const std::vector<int>& firsts,
   Index triangle, const Vector3& direction, Points& sums)

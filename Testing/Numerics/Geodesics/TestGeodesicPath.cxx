@@ -9,9 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <limits>
-#include <queue>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -27,33 +24,11 @@ namespace
 // Return the shortest path along edges.
 std::vector<int> alongEdges(const Mesh& mesh, int from, int to)
 {
-  const conformal::Adjacency neighbors =
-    conformal::vertexNeighbors(mesh.Triangles, mesh.Positions.rows());
-  std::vector<double> lengths(mesh.Positions.rows(), std::numeric_limits<double>::infinity());
-  std::vector<int> before(lengths.size(), -1);
-  using Item = std::pair<double, int>;
-  std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
-  lengths[to] = 0.0;
-  queue.emplace(0.0, to);
-  while (!queue.empty())
+  const std::vector<int> ways = conformal::pathsAlongEdges(mesh, { to }).Ways;
+  std::vector<int> path = { from };
+  while (path.back() != to)
   {
-    const auto [length, v] = queue.top();
-    queue.pop();
-    for (const int* u = neighbors.begin(v); u != neighbors.end(v); ++u)
-    {
-      const double longer = length + (mesh.Positions.row(*u) - mesh.Positions.row(v)).norm();
-      if (longer < lengths[*u])
-      {
-        lengths[*u] = longer;
-        before[*u] = v;
-        queue.emplace(longer, *u);
-      }
-    }
-  }
-  std::vector<int> path;
-  for (int v = from; v >= 0; v = before[v])
-  {
-    path.push_back(v);
+    path.push_back(ways[path.back()]);
   }
   return path;
 }
@@ -218,7 +193,7 @@ TEST(GeodesicPath, PassesTrianglesWithoutAreaAndRejectsOtherSurfaces)
 TEST(GeodesicPath, FindsTheWayAlongEdges)
 {
   const Mesh mesh = square(12, [](int i, int) { return i == 6; }); // two parts
-  const std::vector<int> next = conformal::waysToSources(mesh, { 0, 12 });
+  const std::vector<int> next = conformal::pathsAlongEdges(mesh, { 0, 12 }).Ways;
   EXPECT_EQ(next[0], 0);
   EXPECT_EQ(next[12], 12);
   int v = 12 * 13 + 3, count = 0;
@@ -227,6 +202,6 @@ TEST(GeodesicPath, FindsTheWayAlongEdges)
     ASSERT_LT(count, 40);
   }
   EXPECT_EQ(v, 0);
-  const std::vector<int> ofOne = conformal::waysToSources(mesh, { 0 });
+  const std::vector<int> ofOne = conformal::pathsAlongEdges(mesh, { 0 }).Ways;
   EXPECT_EQ(ofOne[12], -1);
 }

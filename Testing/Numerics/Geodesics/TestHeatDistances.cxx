@@ -112,7 +112,7 @@ TEST(HeatDistances, DoNotReachOtherParts)
   EXPECT_GT(distances.head(size).maxCoeff(), 2.9);
   EXPECT_GE(distances.head(size).minCoeff(), 0.0);
   EXPECT_EQ(distances.tail(size + 1).maxCoeff(), -1.0);
-  const std::vector<int> nearest = surface.nearestSources({ 3 });
+  const std::vector<int> nearest = surface.nearestSources({ 3 }).Positions;
   EXPECT_EQ(std::count(nearest.begin(), nearest.end(), 0), size);
   // A second source on the other sphere has its own distances.
   const Eigen::VectorXd of2 = surface.from({ 3, static_cast<int>(size) + 3 });
@@ -125,7 +125,7 @@ TEST(HeatDistances, DivideASphereAmongSources)
   const Mesh sphere = makeGeodesicSphere(24);
   const HeatDistances surface(sphere);
   const std::vector<int> sources = { 5, 1200, 3000 };
-  const std::vector<int> nearest = surface.nearestSources(sources);
+  const std::vector<int> nearest = surface.nearestSources(sources).Positions;
   Index wrong = 0;
   for (Index v = 0; v < sphere.Positions.rows(); ++v)
   {
