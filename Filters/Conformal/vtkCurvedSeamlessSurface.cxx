@@ -26,6 +26,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <stdexcept>
@@ -108,7 +109,9 @@ struct Samples
   conformal::Triangles Triangles;
   vtkNew<vtkDoubleArray> Directions = Vectors(glue::SpherePositionName()),
                          Positions = Vectors("Points"), Normals = Vectors("Normals");
-  std::vector<unsigned char> Degenerate; // 1 per tuple
+  std::vector<unsigned char> Degenerate;   // 1 per tuple
+  vtkSmartPointer<vtkDoubleArray> Support; // in [0, 1]; null if the mesh has none
+  std::vector<double> VertexSupport;       // of the vertices of the network
 };
 
 // Find the first rank with a surface to sample; warn and return -1 if there is none.
@@ -133,6 +136,27 @@ std::vector<double> CostOf(conformal::DomeHeight domeHeight)
 {
   return { domeHeight == conformal::DomeHeight::Fitted ? 4.0 : 0.5, 0.04, 0.02, 0.03, 0.9,
     domeHeight < conformal::DomeHeight::Curvature ? 0.15 : 0.01, 0.03 };
+}
+
+// Prepare the array Supported of the result, if the owner's mesh has this array. The array is
+// ignored if the mesh has isolated points, since its point ids then differ from the vertex ids of
+// the network.
+void AddSupport(Samples& samples, vtkPolyData* mesh,
+  const conformal::CurvedSeamlessSurface& network, bool isOwner, glue::Processes& processes)
+{
+  constexpr const char* name = "Supported";
+  vtkDataArray* array = isOwner ? mesh->GetPointData()->GetArray(name) : nullptr;
+  const bool hasSupport = array && array->GetNumberOfComponents() == 1 &&
+    array->GetNumberOfTuples() == network.numberOfVertices();
+  if (processes.firstWith(hasSupport) >= 0)
+  {
+    std::vector<double> copy;
+    samples.VertexSupport = conformal::clampedSupport(
+      network, hasSupport ? glue::ViewNumbers(array, copy) : conformal::NumberView());
+    samples.Support = vtkSmartPointer<vtkDoubleArray>::New();
+    samples.Support->SetName(name);
+    samples.Support->SetNumberOfTuples(samples.Directions->GetNumberOfTuples());
+  }
 }
 
 // Move a mesh of directions into the output and the samples, in two steps.
@@ -168,6 +192,8 @@ void Evaluate(Samples& samples, const conformal::CurvedSeamlessSurface& surface,
   values.Positions = samples.Positions->GetPointer(0);
   values.Normals = samples.Normals->GetPointer(0);
   values.Degenerate = samples.Degenerate.data();
+  values.Numbers = samples.Support ? samples.Support->GetPointer(0) : nullptr;
+  values.VertexNumbers = samples.VertexSupport.data();
   conformal::evaluate(surface, { samples.Directions->GetPointer(0), size }, values, steps.next());
   steps.next();
   const auto positions = ViewOf(samples.Positions);
@@ -185,7 +211,7 @@ void Evaluate(Samples& samples, const conformal::CurvedSeamlessSurface& surface,
   conformal::fillNormals(normals, ViewOf(samples.Directions), glue::SMPRun());
 }
 
-// Move positions, directions and normals into the output.
+// Move positions, directions, normals and support into the output.
 void SetPointData(vtkPolyData* result, Samples& samples, const conformal::CoordinateFrame& frame)
 {
   glue::LengthsFromFrame(samples.Positions->GetPointer(0), samples.Positions->GetNumberOfValues(),
@@ -195,24 +221,9 @@ void SetPointData(vtkPolyData* result, Samples& samples, const conformal::Coordi
   result->SetPoints(points);
   result->GetPointData()->AddArray(samples.Directions);
   result->GetPointData()->SetNormals(samples.Normals);
-}
-
-// Interpolate the array Supported of the mesh, if the owner has this array. The array is ignored if
-// the mesh has isolated points, since its point ids then differ from the vertex ids of the network.
-void AddSupport(vtkPolyData* result, const Samples& samples, vtkPolyData* mesh,
-  const conformal::CurvedSeamlessSurface& network, bool isOwner, glue::Processes& processes)
-{
-  constexpr const char* name = "Supported";
-  vtkDataArray* array = isOwner ? mesh->GetPointData()->GetArray(name) : nullptr;
-  const bool hasSupport = array && array->GetNumberOfComponents() == 1 &&
-    array->GetNumberOfTuples() == network.numberOfVertices();
-  if (processes.firstWith(hasSupport) >= 0)
+  if (samples.Support)
   {
-    std::vector<double> copy;
-    glue::AddNumbers(result->GetPointData(), name,
-      conformal::supportAt(network,
-        hasSupport ? glue::ViewNumbers(array, copy) : conformal::NumberView(),
-        ViewOf(samples.Directions), glue::SMPRun()));
+    result->GetPointData()->AddArray(samples.Support);
   }
 }
 
@@ -330,9 +341,9 @@ int vtkCurvedSeamlessSurface::RequestData(
       SetDirections(samples,
         isOwner ? DenseMesh(map->Surface, cuts, sphere, frequency, making) : conformal::Mesh(),
         cuts > 0, result, steps);
+      AddSupport(samples, surface, map->Surface, isOwner, processes);
       Evaluate(samples, map->Surface, domeHeight < conformal::DomeHeight::Curvature, result, steps);
       SetPointData(result, samples, map->Frame);
-      AddSupport(result, samples, surface, map->Surface, isOwner, processes);
       AddDegenerate(result, samples, map->Surface, cuts);
       output->ShallowCopy(result);
       this->Map->Take(map);

@@ -38,6 +38,16 @@ double areaElement(const Eigen::Matrix3d& j, const Vector3& p)
   return (cofactors * p).norm();
 }
 
+/// Interpolate numbers of the vertices linearly at the point of an image. The result is never
+/// beyond the numbers of the three vertices.
+double interpolate(const double* numbers, const CurvedSeamlessSurface& surface,
+  const CurvedSeamlessSurface::Image& image)
+{
+  const auto ids = surface.triangles().row(image.Triangle);
+  const Vector3 corners(numbers[ids[0]], numbers[ids[1]], numbers[ids[2]]);
+  return std::clamp(image.Barycentric.dot(corners), corners.minCoeff(), corners.maxCoeff());
+}
+
 /// Return the triangles, counter-clockwise on the sphere. If necessary, all of them are reversed.
 /// Throw if the map does not cover the sphere exactly once.
 conformal::Triangles trianglesOfMap(
@@ -409,12 +419,15 @@ CurvedSeamlessSurface::Image CurvedSeamlessSurface::Evaluator::evaluate(
   Eigen::Matrix3d ofMap;
   const Vector3& p = location.Barycentric;
   const Vector3 q = this->Flat->toModel(p, derivative ? &ofMap : nullptr);
+  Image image;
   if (!s.differentiable())
   {
-    return this->onDomes(r, p, q);
+    image = this->onDomes(r, p, q);
+    image.Barycentric = p;
+    return image;
   }
-  Image image;
   image.Triangle = r;
+  image.Barycentric = p;
   image.Position = this->Curved.position(q);
   image.Normal =
     s.Options.DomeHeight == DomeHeight::None ? this->Curved.surfaceNormal(q) : this->Shading(q);
@@ -498,6 +511,10 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
         if (samples.Degenerate)
         {
           samples.Degenerate[i] = surface.degenerate()[image.Triangle];
+        }
+        if (samples.Numbers)
+        {
+          samples.Numbers[i] = interpolate(samples.VertexNumbers, surface, image);
         }
       }
     });

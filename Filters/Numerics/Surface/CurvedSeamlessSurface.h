@@ -79,6 +79,8 @@ public:
     /// is the normal of the flat triangle.
     Vector3 Normal = Vector3::Zero();
     int Triangle = -1; ///< id of the triangle, r in \cite Liou2008
+    /// Barycentric coordinates in the triangle of the network, p' in \cite Liou2008 Eq. 9
+    Vector3 Barycentric = Vector3::Zero();
   };
 
   /// Build the surface, without evaluating it.
@@ -244,8 +246,8 @@ private:
   CurvedTriangleTree Tree;
 };
 
-/// Output arrays of evaluate(). In each array, the values of the second direction follow those of
-/// the first direction, and so on. Null arrays are not written.
+/// Output arrays of evaluate(), and one input array. In each output array, the values of the second
+/// direction follow those of the first direction, and so on. Null arrays are not written.
 struct SurfaceSamples
 {
   double* Positions = nullptr; ///< points q of the surface, 3 numbers for each direction
@@ -255,6 +257,10 @@ struct SurfaceSamples
   double* Metrics = nullptr;           ///< metric tensors J^T J, 9 numbers each
   double* AreaElements = nullptr;      ///< surface area per area of the unit sphere, 1 number each
   unsigned char* Degenerate = nullptr; ///< 1 if the triangle is degenerate, else 0; 1 number each
+  double* Numbers = nullptr; ///< VertexNumbers, interpolated linearly on the network; 1 number each
+  /// Input: a number for each vertex of the network, with those of caps; read if Numbers is not
+  /// null
+  const double* VertexNumbers = nullptr;
 
   bool differentiates() const { return this->Derivatives || this->Metrics || this->AreaElements; }
 };

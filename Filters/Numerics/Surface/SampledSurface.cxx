@@ -1,7 +1,6 @@
 #include "Surface/SampledSurface.h"
 
 #include "Mesh/VertexNormals.h"
-#include "Sphere/Resampling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,25 +57,14 @@ void fillNormals(PointsOut normals, const PointsIn& directions, const Run& run)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> supportAt(const CurvedSeamlessSurface& surface, const NumberView& support,
-  const PointsIn& directions, const Run& run)
+std::vector<double> clampedSupport(const CurvedSeamlessSurface& surface, const NumberView& support)
 {
-  std::vector<double> shares(directions.rows());
-  if (shares.empty())
-  {
-    return shares;
-  }
-  Points values = Points::Zero(surface.sphere().rows(), 3);
+  std::vector<double> clamped(surface.sphere().rows(), 0.0);
   for (Index i = 0; i < support.size(); ++i)
   {
-    values(i, 0) = std::isfinite(support[i]) ? std::clamp(support[i], 0.0, 1.0) : 0.0;
+    clamped[i] = std::isfinite(support[i]) ? std::clamp(support[i], 0.0, 1.0) : 0.0;
   }
-  const Points fine = resample(surface.sphere(), values, surface.triangles(), directions, run);
-  for (Index i = 0; i < fine.rows(); ++i)
-  {
-    shares[i] = std::clamp(fine(i, 0), 0.0, 1.0);
-  }
-  return shares;
+  return clamped;
 }
 
 //------------------------------------------------------------------------------

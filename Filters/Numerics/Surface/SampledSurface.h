@@ -38,16 +38,11 @@ void smoothNormals(const PointsIn& positions, const Triangles& triangles, Points
 /// Replace each normal of length zero by the direction for which the point was evaluated.
 void fillNormals(PointsOut normals, const PointsIn& directions, const Run& run = {});
 
-/// Interpolate the support at given directions. The support of a vertex is in [0, 1], and high if
-/// points of the scan are near the vertex. Between vertices, support is interpolated linearly on
-/// the triangles of the sphere.
+/// Return the support of each vertex of the network in [0, 1], as VertexNumbers of evaluate(). The
+/// support of a vertex is high if points of the scan are near the vertex.
 /// @param[in] support  support of each vertex of the surface, #V. Values are clamped to [0, 1].
-///   Values that are not finite count as 0.
-/// @param[in] directions  unit vectors, #P by 3
-/// @return support in each direction, in [0, 1], #P
-/// @throws Aborted
-std::vector<double> supportAt(const CurvedSeamlessSurface& surface, const NumberView& support,
-  const PointsIn& directions, const Run& run = {});
+///   Values that are not finite count as 0, and so do vertices of caps.
+std::vector<double> clampedSupport(const CurvedSeamlessSurface& surface, const NumberView& support);
 
 /// Mark those triangles of the sampled mesh that are parts of a degenerate triangle of the curved
 /// seamless surface. See CurvedSeamlessSurface::degenerate().

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+using conformal::clampedSupport;
 using conformal::CurvedSeamlessSurface;
 using conformal::CurvedSeamlessSurfaceOptions;
 using conformal::fillNormals;
@@ -20,7 +21,6 @@ using conformal::Mesh;
 using conformal::NumberView;
 using conformal::Points;
 using conformal::smoothNormals;
-using conformal::supportAt;
 using conformal::Triangles;
 using conformal::Vector3;
 
@@ -84,7 +84,17 @@ TEST(SampledSurface, SupportIsInterpolatedLinearlyAndClamped)
   support[0] = 4.0;
   support[1] = -2.0;
   support[2] = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> atVertices = supportAt(surface, support, surface.sphere());
+  const std::vector<double> vertices = clampedSupport(surface, support);
+  const auto at = [&](const Points& directions, const conformal::Run& run = {})
+  {
+    std::vector<double> numbers(directions.rows());
+    conformal::SurfaceSamples samples;
+    samples.VertexNumbers = vertices.data();
+    samples.Numbers = numbers.data();
+    conformal::evaluate(surface, directions, samples, run);
+    return numbers;
+  };
+  const std::vector<double> atVertices = at(surface.sphere());
   for (std::size_t v = 0; v < support.size(); ++v)
   {
     EXPECT_NEAR(atVertices[v], v == 0 ? 1.0 : v < 3 ? 0.0 : 0.5, 1e-12);
@@ -95,11 +105,9 @@ TEST(SampledSurface, SupportIsInterpolatedLinearlyAndClamped)
     (surface.sphere().row(ids[0]) + surface.sphere().row(ids[1]) + surface.sphere().row(ids[2]))
       .normalized();
   const double expected = (atVertices[ids[0]] + atVertices[ids[1]] + atVertices[ids[2]]) / 3.0;
-  const std::vector<double> inside = supportAt(surface, support, middle);
-  ASSERT_EQ(inside.size(), 1u);
-  EXPECT_NEAR(inside[0], expected, 0.05);
-  EXPECT_EQ(supportAt(surface, support, surface.sphere(), runs::backwards()), atVertices);
-  EXPECT_TRUE(supportAt(surface, NumberView(), Points(0, 3)).empty()); // reads no support
+  EXPECT_NEAR(at(middle)[0], expected, 0.05);
+  EXPECT_EQ(at(surface.sphere(), runs::backwards()), atVertices);
+  EXPECT_EQ(clampedSupport(surface, NumberView()), std::vector<double>(support.size(), 0.0));
 }
 
 TEST(SampledSurface, MarksPiecesOfDegenerateTriangles)
