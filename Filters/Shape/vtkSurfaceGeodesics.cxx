@@ -1,6 +1,7 @@
 #include "vtkSurfaceGeodesics.h"
 
 #include "Base/Steps.h"
+#include "Geodesics/ExactDistances.h"
 #include "Geodesics/GeodesicPath.h"
 #include "Geodesics/HeatDistances.h"
 #include "Glue/Arrays.h"
@@ -24,8 +25,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 vtkStandardNewMacro(vtkSurfaceGeodesics);
 
@@ -205,55 +209,40 @@ void SetSources(vtkPolyData* output, vtkPolyData* surface, const std::vector<int
   output->GetPointData()->AddArray(ids);
 }
 
-// Path from a vertex to a source.
-struct Path
-{
-  std::vector<conformal::Vector3> Places;
-  double Length = std::numeric_limits<double>::infinity();
-  int Target = -1, Source = -1;
-};
-
-// Follow the ways along edges, and straighten the path. If the ways do not lead to a source, or the
-// vertex is a source, the length is infinite.
-Path FindPath(const conformal::PathStraightener& surface, int vertex, const std::vector<int>& ways)
+// Follow ways along edges, and straighten the path. If the ways do not lead to a source, or the
+// vertex is a source, the path is empty.
+std::vector<conformal::PathPoint> StraightPath(
+  const conformal::PathStraightener& surface, int vertex, const std::vector<int>& ways)
 {
   std::vector<int> vertices = { vertex };
   while (ways[vertices.back()] >= 0 && ways[vertices.back()] != vertices.back())
   {
     vertices.push_back(ways[vertices.back()]);
   }
-  Path path;
-  if (vertices.size() < 2 || ways[vertices.back()] < 0)
-  {
-    return path;
-  }
-  path.Length = 0.0;
-  path.Target = vertex;
-  path.Source = vertices.back();
-  for (const conformal::PathPoint& point : surface.straighten(vertices))
-  {
-    path.Places.push_back(surface.positionOf(point));
-    path.Length +=
-      path.Places.size() > 1 ? (path.Places.back() - path.Places.end()[-2]).norm() : 0.0;
-  }
-  return path;
+  return vertices.size() < 2 || ways[vertices.back()] < 0 ? std::vector<conformal::PathPoint>()
+                                                          : surface.straighten(vertices);
 }
 
-// Paths, as polylines.
+// Paths from targets to sources, as polylines.
 class PathLines
 {
 public:
-  void Add(const Path& path)
+  explicit PathLines(const conformal::Points& positions)
+    : Positions(positions)
   {
-    this->Lines->InsertNextCell(static_cast<int>(path.Places.size()));
-    for (const conformal::Vector3& place : path.Places)
+  }
+
+  void Add(const std::vector<conformal::PathPoint>& path)
+  {
+    this->Lines->InsertNextCell(static_cast<int>(path.size()));
+    for (const conformal::PathPoint& point : path)
     {
       this->Lines->InsertCellPoint(static_cast<vtkIdType>(this->Places.size()));
-      this->Places.push_back(place);
+      this->Places.push_back(positionOf(point, this->Positions));
     }
-    this->Lengths.push_back(path.Length);
-    this->Targets->InsertNextValue(path.Target);
-    this->Sources->InsertNextValue(path.Source);
+    this->Lengths.push_back(lengthOf(path, this->Positions));
+    this->Targets->InsertNextValue(path.front().First);
+    this->Sources->InsertNextValue(path.back().First);
   }
 
   void CopyTo(vtkPolyData* output, const conformal::CoordinateFrame& frame) const
@@ -273,37 +262,84 @@ public:
   }
 
 private:
+  const conformal::Points& Positions;
   std::vector<conformal::Vector3> Places;
   std::vector<double> Lengths;
   vtkNew<vtkCellArray> Lines;
   vtkNew<vtkIdTypeArray> Targets, Sources;
 };
 
-// Find paths from targets to sources.
+using FindPath = std::function<std::vector<conformal::PathPoint>(int target)>;
+
+// Find paths from targets to sources. Empty paths are left out.
 void SetPaths(vtkPolyData* output, const conformal::Mesh& mesh, const std::vector<int>& targets,
-  const std::vector<int>& sources, const Eigen::VectorXd& distances,
-  const conformal::CoordinateFrame& frame, const conformal::Run& run)
+  const FindPath& findPath, const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  if (targets.empty())
-  {
-    return;
-  }
-  const std::vector<int> along = conformal::pathsAlongEdges(mesh, sources).Ways,
-                         downhill = conformal::waysDownhill(mesh, distances);
-  const conformal::PathStraightener surface(mesh);
-  PathLines lines;
+  PathLines lines(mesh.Positions);
   for (std::size_t i = 0; i < targets.size(); ++i)
   {
-    const Path first = FindPath(surface, targets[i], along),
-               second = FindPath(surface, targets[i], downhill);
-    const Path& shorter = second.Length < first.Length ? second : first;
-    if (shorter.Target >= 0)
+    const std::vector<conformal::PathPoint> path = findPath(targets[i]);
+    if (path.size() > 1)
     {
-      lines.Add(shorter);
+      lines.Add(path);
     }
     run.report(static_cast<double>(i + 1) / static_cast<double>(targets.size()));
   }
-  lines.CopyTo(output, frame);
+  if (!targets.empty())
+  {
+    lines.CopyTo(output, frame);
+  }
+}
+
+// Find paths that are locally shortest, given distances from sources.
+FindPath LocallyShortest(
+  const conformal::Mesh& mesh, const std::vector<int>& sources, const Eigen::VectorXd& distances)
+{
+  const auto surface = std::make_shared<conformal::PathStraightener>(mesh);
+  return [&mesh, surface, along = conformal::pathsAlongEdges(mesh, sources).Ways,
+           downhill = conformal::waysDownhill(mesh, distances)](int target)
+  {
+    const auto first = StraightPath(*surface, target, along),
+               second = StraightPath(*surface, target, downhill);
+    const bool isSecond = !second.empty() &&
+      (first.empty() || lengthOf(second, mesh.Positions) < lengthOf(first, mesh.Positions));
+    return isSecond ? second : first;
+  };
+}
+
+// Sources with farthest points, distances from the nearest source, and paths to it.
+struct Measured
+{
+  std::vector<int> Sources;
+  conformal::NearestSources Nearest;
+  FindPath PathFrom;
+};
+
+// Measure distances, in three steps. Farthest points are found by the heat method.
+Measured Measure(const conformal::Mesh& mesh, const std::vector<int>& given, int missing,
+  bool isExact, conformal::Steps& steps)
+{
+  Measured result{ given, {}, {} };
+  std::optional<conformal::HeatDistances> heat;
+  const conformal::Run factoring = steps.next(), choosing = steps.next(), measuring = steps.next();
+  if (!isExact || missing > 0)
+  {
+    heat.emplace(mesh, factoring);
+    conformal::addFarthestVertices(*heat, missing, result.Sources, choosing);
+  }
+  if (isExact)
+  {
+    const auto exact = std::make_shared<conformal::ExactDistances>(mesh, result.Sources, measuring);
+    result.Nearest = exact->nearestSources();
+    result.PathFrom = [exact, positions = result.Nearest.Positions](int target) {
+      return positions[target] >= 0 ? exact->pathFrom(target) : std::vector<conformal::PathPoint>();
+    };
+  }
+  else
+  {
+    result.Nearest = heat->nearestSources(result.Sources);
+  }
+  return result;
 }
 }
 
@@ -399,19 +435,21 @@ int vtkSurfaceGeodesics::RequestData(
       given.AddMarked(surface, this->SourceArrayName);
       int missing = this->NumberOfFarthestPoints;
       RequireSources(given, missing);
-      std::vector<int> sources = given.Ids();
+      const bool isExact = this->Method == EXACT;
       // Relative costs of the factorization, the farthest points, the distances and the paths.
       conformal::Steps steps(glue::RunOf(this),
-        { 1.0, 0.1 * missing, 0.15, 0.002 * static_cast<double>(targets.Ids().size()) });
-      const conformal::HeatDistances heat(mesh, steps.next());
-      conformal::addFarthestVertices(heat, missing, sources, steps.next());
-      steps.next();
-      const conformal::NearestSources nearest = heat.nearestSources(sources);
+        { isExact && missing == 0 ? 0.0 : 1.0, 0.1 * missing, isExact ? 5.0 : 0.15,
+          0.002 * static_cast<double>(targets.Ids().size()) });
+      Measured measured = Measure(mesh, given.Ids(), missing, isExact, steps);
+      if (!isExact && !targets.Ids().empty())
+      {
+        measured.PathFrom = LocallyShortest(mesh, measured.Sources, measured.Nearest.Distances);
+      }
       const vtkNew<vtkPolyData> result, vertices, paths;
       result->ShallowCopy(surface);
-      AddDistances(result->GetPointData(), nearest, sources, frame);
-      SetSources(vertices, surface, sources);
-      SetPaths(paths, mesh, targets.Ids(), sources, nearest.Distances, frame, steps.next());
+      AddDistances(result->GetPointData(), measured.Nearest, measured.Sources, frame);
+      SetSources(vertices, surface, measured.Sources);
+      SetPaths(paths, mesh, targets.Ids(), measured.PathFrom, frame, steps.next());
       vtkPolyData::GetData(outputVector, 0)->ShallowCopy(result);
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(vertices);
       vtkPolyData::GetData(outputVector, 2)->ShallowCopy(paths);
@@ -422,6 +460,7 @@ int vtkSurfaceGeodesics::RequestData(
 void vtkSurfaceGeodesics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << (this->Method == EXACT ? "Exact" : "Heat") << "\n";
   os << indent << "NumberOfSourceIds: " << this->SourceIds.size() << "\n";
   os << indent << "SourceArrayName: " << this->SourceArrayName << "\n";
   os << indent << "NumberOfFarthestPoints: " << this->NumberOfFarthestPoints << "\n";

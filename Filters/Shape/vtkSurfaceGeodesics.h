@@ -30,22 +30,30 @@
  * (idtype): point id on the surface.
  *
  * Output port 2: vtkPolyData, a polyline for each point of input port 2 that is connected with a
- * source. The path is locally shortest: it crosses triangles in any direction, and is straight
- * across edges. It is the shorter one of two paths: found from the shortest path along edges, and
- * from the path on which "GeodesicDistance" decreases most. Cell arrays "TargetId" and "SourceId"
- * (idtype): point ids of both ends; "PathLength" (double): length. If there are paths, each edge of
- * the surface must have at most two triangles, consistently oriented.
+ * source. The path crosses triangles in any direction, and is straight across edges. With Method
+ * EXACT, it is a shortest path. Otherwise, it is locally shortest, and the shorter one of two
+ * paths: found from the shortest path along edges, and from the path on which "GeodesicDistance"
+ * decreases most. Cell arrays "TargetId" and "SourceId" (idtype): point ids of both ends;
+ * "PathLength" (double): length. If there are paths, or Method is EXACT, each edge of the surface
+ * must have at most two triangles, consistently oriented.
  *
- * Distances are computed by the heat method (K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in
- * Heat", ACM Transactions on Graphics 32 (2013)) on the intrinsic Delaunay triangulation (M. Fisher
- * et al., "An algorithm for the construction of intrinsic Delaunay triangulations", Computing 81
- * (2007)). Two systems of equations are factored once for each surface. On a sphere of 100,000
- * points, the mean error is 0.6 %. A vertex belongs to the nearest source of the neighbor that is
- * next on its path, so that borders of cells are exact to about one edge.
+ * With Method HEAT, distances are computed by the heat method (K. Crane, C. Weischedel, M.
+ * Wardetzky, "Geodesics in Heat", ACM Transactions on Graphics 32 (2013)) on the intrinsic Delaunay
+ * triangulation (M. Fisher et al., "An algorithm for the construction of intrinsic Delaunay
+ * triangulations", Computing 81 (2007)). Two systems of equations are factored once for each
+ * surface. On a sphere of 100,000 points, the mean error is 0.6 %. A vertex belongs to the nearest
+ * source of the neighbor that is next on its path, so that borders of cells are exact to about one
+ * edge.
  *
- * Paths are locally shortest by the criterion of N. Sharp, K. Crane, "You Can Find Geodesic Paths
- * in Triangle Meshes by Just Flipping Edges", ACM Transactions on Graphics 39 (2020).
- * vtkDijkstraGraphGeodesicPath finds paths along edges, which are longer by several percent.
+ * With Method EXACT, distances are computed by continuing straight paths across triangles (J. Chen,
+ * Y. Han, "Shortest Paths on a Polyhedron" (1990); S.-Q. Xin, G.-J. Wang, "Improving Chen and Han's
+ * Algorithm on the Discrete Geodesic Problem", ACM Transactions on Graphics 28 (2009)). They are
+ * exact for the surface of flat triangles, except for rounding errors.
+ *
+ * Paths of Method HEAT are locally shortest by the criterion of N. Sharp, K. Crane, "You Can Find
+ * Geodesic Paths in Triangle Meshes by Just Flipping Edges", ACM Transactions on Graphics 39
+ * (2020). vtkDijkstraGraphGeodesicPath finds paths along edges, which are longer by several
+ * percent.
  *
  * @sa
  * vtkSurfaceShape vtkBodyMap
@@ -65,9 +73,33 @@ class vtkPointSet;
 class VTKFILTERSSHAPE_EXPORT vtkSurfaceGeodesics : public vtkPolyDataAlgorithm
 {
 public:
+  /**
+   * Methods to measure distances.
+   */
+  enum MethodType
+  {
+    HEAT,
+    EXACT
+  };
+
   static vtkSurfaceGeodesics* New();
   vtkTypeMacro(vtkSurfaceGeodesics, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Method to measure distances and find paths. HEAT has errors of about 1 percent. Its cost for
+   * each set of sources is low, and proportional to the number of points. EXACT has only rounding
+   * errors. Its cost is many times higher, and grows faster than the number of points. Default is
+   * HEAT.
+   *
+   * NumberOfFarthestPoints uses HEAT with both methods.
+   */
+  vtkSetClampMacro(Method, int, HEAT, EXACT);
+  vtkGetMacro(Method, int);
+  void SetMethodToHeat() { this->SetMethod(HEAT); }
+  void SetMethodToExact() { this->SetMethod(EXACT); }
+  ///@}
 
   ///@{
   /**
@@ -134,6 +166,7 @@ private:
   vtkSurfaceGeodesics(const vtkSurfaceGeodesics&) = delete;
   void operator=(const vtkSurfaceGeodesics&) = delete;
 
+  int Method = HEAT;
   std::vector<vtkIdType> SourceIds;
   std::string SourceArrayName;
   int NumberOfFarthestPoints = 0;

@@ -5,11 +5,15 @@
       [SURFACE ...] [--picture geodesics.jpg]
 
 spheres   geodesic spheres, on which distances from a point are known exactly. The error is relative, as mean over all
-          other points. Seconds are CPU seconds: of the first source with the factorization, and of each further one.
+          other points. Seconds are CPU seconds: of the first source with the factorization, of each further one, and of
+          a source by Method EXACT.
 surfaces  files: mean relative difference from exact polyhedral distances of pygeodesic (MIT), if it is installed, from
           three points each, of the distances and paths of vtkSurfaceGeodesics, and of paths along edges by
           vtkDijkstraGraphGeodesicPath. "longer" are paths that are longer by more than 1e-6 than the exact distance:
           they pass an obstacle on the other side. Milliseconds of CPU are those of a path among a thousand.
+          A second table shows the largest relative difference of Method EXACT, of its distances and of its paths, and
+          CPU seconds of a source by vtkSurfaceGeodesics and by pygeodesic. A third one shows potpourri3d (MIT), if it
+          is installed: its heat method (robust) and its paths by edge flips (signpost), from the same points.
 --picture draws a bear with distances from the tip of an ear, and with the cells of this point and 30 farthest points.
 """
 import argparse
@@ -51,6 +55,14 @@ def distances_of(surface, source):
     return vtk_to_numpy(geodesics(surface, [source]).GetPointData().GetArray("GeodesicDistance"))
 
 
+def exact_filter(surface, source):
+    filter_ = conformalsom.vtkSurfaceGeodesics()
+    filter_.SetInputData(surface)
+    filter_.SetMethodToExact()
+    filter_.AddSourceId(int(source))
+    return filter_
+
+
 def seconds(work):
     begin = time.process_time()
     work()
@@ -58,8 +70,8 @@ def seconds(work):
 
 
 def measure_spheres():
-    print("| points | mean error | largest error beyond 0.5 | first source, CPU s | further source, CPU s |")
-    print("| --- | --- | --- | --- | --- |")
+    print("| points | mean error | largest error beyond 0.5 | first source, CPU s | further source, CPU s | Exact, CPU s |")
+    print("| --- | --- | --- | --- | --- | --- |")
     for frequency in (16, 32, 48, 100):
         surface = sphere(frequency)
         points = points_of(surface)
@@ -71,7 +83,9 @@ def measure_spheres():
         mean, largest = np.array(errors).max(axis=0)
         first = seconds(lambda: geodesics(surface, [0]))
         further = (seconds(lambda: geodesics(surface, [0], 10)) - first) / 10
-        print(f"| {len(points):,} | {100 * mean:.2f} % | {100 * largest:.2f} % | {first:.2f} | {further:.3f} |", flush=True)
+        exact = seconds(exact_filter(surface, 0).Update)
+        print(f"| {len(points):,} | {100 * mean:.2f} % | {100 * largest:.2f} % | {first:.2f} | {further:.3f} | "
+              f"{exact:.2f} |", flush=True)
 
 
 def along_edges(surface, source, targets):
@@ -94,13 +108,67 @@ def paths_of(surface, source, count=1000):
     filter_.SetInputData(surface)
     filter_.AddSourceId(int(source))
     without = seconds(filter_.Update)
+    filter_.SetTargetsData(starts_of(points, count))
+    milliseconds = 1000 * (seconds(filter_.Update) - without) / count
+    return *ends_and_lengths(filter_), milliseconds
+
+
+def starts_of(points, count):
     starts, places = vtkPolyData(), vtkPoints()
     places.SetData(numpy_to_vtk(points[np.random.default_rng(2).choice(len(points), count, replace=False)], deep=True))
     starts.SetPoints(places)
-    filter_.SetTargetsData(starts)
-    milliseconds = 1000 * (seconds(filter_.Update) - without) / count
+    return starts
+
+
+def ends_and_lengths(filter_):
     data = filter_.GetPaths().GetCellData()
-    return (*(vtk_to_numpy(data.GetArray(name)) for name in ("TargetId", "PathLength")), milliseconds)
+    return [vtk_to_numpy(data.GetArray(name)) for name in ("TargetId", "PathLength")]
+
+
+def relative(values, exact):
+    return np.abs(values - exact)[exact > 0] / exact[exact > 0]
+
+
+def measure_exact(name, surface, solver, sources):
+    points, off, paths, ours, theirs = points_of(surface), 0.0, 0.0, 0.0, 0.0
+    for source in sources:
+        theirs += seconds(lambda: solver.geodesicDistances(np.array([source]), None))
+        exact, _ = solver.geodesicDistances(np.array([source]), None)
+        filter_ = exact_filter(surface, source)
+        ours += seconds(filter_.Update)
+        distances = vtk_to_numpy(filter_.GetOutput().GetPointData().GetArray("GeodesicDistance"))
+        off = max(off, relative(distances, exact).max())
+        filter_.SetTargetsData(starts_of(points, min(1000, len(points))))
+        filter_.Update()
+        ends, lengths = ends_and_lengths(filter_)
+        paths = max(paths, relative(lengths, exact[ends]).max())
+    return (f"| {name} | {len(points):,} | {off:.0e} | {paths:.0e} | {ours / len(sources):.2f} | "
+            f"{theirs / len(sources):.2f} |")
+
+
+def measure_rival(name, surface, triangles, solver, sources):
+    try:
+        import potpourri3d
+    except ImportError:
+        return None
+    points, heat, lengths, times = points_of(surface), [], [], np.zeros(3)
+    holder = []
+    times[0] = seconds(lambda: holder.append(potpourri3d.MeshHeatMethodDistanceSolver(points, triangles)))
+    flips = potpourri3d.EdgeFlipGeodesicSolver(points, triangles)
+    for source in sources:
+        exact, _ = solver.geodesicDistances(np.array([source]), None)
+        distances = []
+        times[1] += seconds(lambda: distances.append(holder[0].compute_distance(int(source)))) / len(sources)
+        heat.append(relative(distances[0], exact).mean())
+        ends = np.random.default_rng(2).choice(np.flatnonzero(exact > 0), 100, replace=False)
+        found = []
+        times[2] += seconds(lambda: found.extend(flips.find_geodesic_path(int(end), int(source)) for end in ends)) / (
+            len(sources) * len(ends))
+        found = np.array([np.linalg.norm(np.diff(path, axis=0), axis=1).sum() for path in found])
+        lengths.append(relative(found, exact[ends]))
+    lengths = np.concatenate(lengths)
+    return (f"| {name} | {100 * np.mean(heat):.2f} % | {times[0]:.2f} | {times[1]:.3f} | {100 * lengths.mean():.3f} % | "
+            f"{100 * np.mean(lengths > 1e-6):.0f} % | {1000 * times[2]:.2f} |")
 
 
 def measure_files(paths):
@@ -109,6 +177,7 @@ def measure_files(paths):
     except ImportError:
         print("pygeodesic is not installed; surfaces are not measured")
         return
+    exact_rows, rival_rows = [], []
     print("| surface | points | distances | paths | longer | largest | ms a path | vtkDijkstraGraphGeodesicPath |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     for path in paths:
@@ -118,7 +187,10 @@ def measure_files(paths):
         solver = exact_geodesic.PyGeodesicAlgorithmExact(points, triangles.astype(np.int32))
         random = np.random.default_rng(1)
         heat, edges, straight = [], [], []
-        for source in random.choice(len(points), 3, replace=False):
+        sources = random.choice(len(points), 3, replace=False)
+        exact_rows.append(measure_exact(path.name, surface, solver, sources))
+        rival_rows.append(measure_rival(path.name, surface, triangles, solver, sources))
+        for source in sources:
             exact, _ = solver.geodesicDistances(np.array([source]), None)
             other = exact > 0
             heat.append((np.abs(distances_of(surface, source) - exact)[other] / exact[other]).mean())
@@ -130,6 +202,11 @@ def measure_files(paths):
         print(f"| {path.name} | {len(points):,} | {100 * np.mean(heat):.2f} % | {100 * straight.mean():.3f} % | "
               f"{100 * np.mean(straight > 1e-6):.0f} % | {100 * straight.max():.1f} % | {milliseconds:.2f} | "
               f"{100 * np.mean(edges):.1f} % |", flush=True)
+    print("\n| surface | points | Method EXACT: distances | paths | CPU s a source | pygeodesic, CPU s a source |")
+    print("| --- | --- | --- | --- | --- | --- |", *exact_rows, sep="\n")
+    if all(rival_rows):
+        print("\n| surface | potpourri3d: distances | factor, CPU s | source, CPU s | paths | longer | ms a path |")
+        print("| --- | --- | --- | --- | --- | --- | --- |", *rival_rows, sep="\n")
 
 
 def draw(path):

@@ -16,14 +16,22 @@ Case SurfaceGeodesics()
   Case all = CaseOf<F>("vtkSurfaceGeodesics");
   const auto one = [](F* f) { f->SetNumberOfFarthestPoints(1); };
   Mode farthest = { "farthest points", { Surface(BadPoints | BadIds) }, Set<F>(one) };
-  farthest.Properties = { Integer("NumberOfFarthestPoints", &F::SetNumberOfFarthestPoints),
+  farthest.Properties = { Integer("Method", &F::SetMethod),
+    Integer("NumberOfFarthestPoints", &F::SetNumberOfFarthestPoints),
     Name("SourceArrayName", &F::SetSourceArrayName),
     Values<F, vtkIdType>(
       "SourceIds", ExtremeIds(), [](F* f, const vtkIdType& id) { f->AddSourceId(id); }) };
   const Mode picked = { "picked points",
     { Variant(BadPoints | BadIds), Places(BadPoints, "sources"),
       Places(BadPoints, "starts of paths") } };
-  all.Modes = { farthest, picked };
+  const Mode exact = { "exact distances", { Surface(BadPoints | BadIds) },
+    Set<F>(
+      [](F* f)
+      {
+        f->SetMethodToExact();
+        f->AddSourceId(0);
+      }) };
+  all.Modes = { farthest, picked, exact };
   all.Scaled = { Scaled<F>(
     "MeasuresDistances",
     [](F* f, double scale)
@@ -45,6 +53,7 @@ Case SurfaceGeodesics()
     vtkNew<F> filter;
     filter->SetInputDataObject(0, source.surface());
     filter->SetNumberOfFarthestPoints(source.below(4));
+    filter->SetMethod(source.below(2));
     fuzz::run(filter);
   };
   return all;

@@ -142,6 +142,36 @@ TEST(SurfaceGeodesics, FindsPaths)
   EXPECT_GT(paths->GetNumberOfPoints(), 40);
 }
 
+// On an open square, distances are lengths of straight lines.
+TEST(SurfaceGeodesics, MeasuresExactDistances)
+{
+  const auto plane = Square();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0.5, -0.2, 0.0);
+  vtkNew<vtkPolyData> starts;
+  starts->SetPoints(points);
+  vtkNew<vtkSurfaceGeodesics> filter;
+  filter->SetInputConnection(plane->GetOutputPort());
+  filter->SetTargetsData(starts);
+  filter->AddSourceId(0);
+  filter->SetMethodToExact();
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  for (vtkIdType i = 0; i < 1681; ++i)
+  {
+    double p[3];
+    filter->GetOutput()->GetPoint(i, p);
+    EXPECT_NEAR(DistancesOf(filter)->GetValue(i), std::hypot(p[0] + 0.5, p[1] + 0.5), 1e-7);
+    EXPECT_EQ(NearestOf(filter)->GetValue(i), 0);
+  }
+  vtkPolyData* paths = filter->GetPaths();
+  ASSERT_EQ(paths->GetNumberOfLines(), 1);
+  vtkCellData* data = paths->GetCellData();
+  EXPECT_NEAR(data->GetArray("PathLength")->GetComponent(0, 0), std::hypot(1.0, 0.3), 1e-7);
+  EXPECT_EQ(data->GetArray("TargetId")->GetComponent(0, 0), 12 * 41 + 40);
+}
+
 TEST(SurfaceGeodesics, ReportsMissingAndInvalidSources)
 {
   const auto plane = Square();

@@ -21,30 +21,6 @@ double angleBetween(const Vector2& a, const Vector2& b)
   return std::atan2(std::abs(cross(a, b)), a.dot(b));
 }
 
-// Return the mesh if no edge has the same direction in two triangles.
-const Mesh& withSimpleEdges(const Mesh& mesh)
-{
-  std::vector<std::pair<int, int>> edges;
-  edges.reserve(3 * mesh.Triangles.rows());
-  for (Index t = 0; t < mesh.Triangles.rows(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      edges.emplace_back(mesh.Triangles(t, k), mesh.Triangles(t, next(k)));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  const auto twice = std::adjacent_find(edges.begin(), edges.end());
-  if (twice != edges.end())
-  {
-    throw std::invalid_argument("the edge of points " + std::to_string(twice->first) + " and " +
-      std::to_string(twice->second) +
-      " belongs to more than two triangles, or to triangles of opposite orientation; paths cannot "
-      "be computed");
-  }
-  return mesh;
-}
-
 // Edge between two successive triangles of a sleeve, as seen along the path.
 struct Portal
 {
@@ -72,6 +48,47 @@ struct PathStraightener::Touched
 };
 
 //------------------------------------------------------------------------------
+void requireSimpleEdges(const Mesh& mesh)
+{
+  std::vector<std::pair<int, int>> edges;
+  edges.reserve(3 * mesh.Triangles.rows());
+  for (Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.emplace_back(mesh.Triangles(t, k), mesh.Triangles(t, next(k)));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto twice = std::adjacent_find(edges.begin(), edges.end());
+  if (twice != edges.end())
+  {
+    throw std::invalid_argument("the edge of points " + std::to_string(twice->first) + " and " +
+      std::to_string(twice->second) +
+      " belongs to more than two triangles, or to triangles of opposite orientation; paths cannot "
+      "be computed");
+  }
+}
+
+//------------------------------------------------------------------------------
+Vector3 positionOf(const PathPoint& point, const Points& positions)
+{
+  return (1.0 - point.Fraction) * positions.row(point.First) +
+    point.Fraction * positions.row(point.Second);
+}
+
+//------------------------------------------------------------------------------
+double lengthOf(const std::vector<PathPoint>& path, const Points& positions)
+{
+  double length = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    length += (positionOf(path[i], positions) - positionOf(path[i - 1], positions)).norm();
+  }
+  return length;
+}
+
+//------------------------------------------------------------------------------
 std::vector<int> waysDownhill(const Mesh& mesh, const Eigen::VectorXd& distances)
 {
   const Index size = mesh.Positions.rows();
@@ -96,11 +113,12 @@ std::vector<int> waysDownhill(const Mesh& mesh, const Eigen::VectorXd& distances
 
 //------------------------------------------------------------------------------
 PathStraightener::PathStraightener(const Mesh& mesh)
-  : Surface(withSimpleEdges(mesh))
-  , Around(vertexTriangles(mesh.Triangles, mesh.Positions.rows()))
-  , Neighbors(triangleNeighbors(mesh.Triangles, this->Around))
+  : Surface(mesh)
   , Angles(mesh.Triangles.rows(), 3)
 {
+  requireSimpleEdges(mesh);
+  this->Around = vertexTriangles(mesh.Triangles, mesh.Positions.rows());
+  this->Neighbors = triangleNeighbors(mesh.Triangles, this->Around);
   for (Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
     for (int k = 0; k < 3; ++k)
@@ -111,12 +129,6 @@ PathStraightener::PathStraightener(const Mesh& mesh)
       this->Angles(t, k) = angleBetween(a, b);
     }
   }
-}
-
-Vector3 PathStraightener::positionOf(const PathPoint& point) const
-{
-  return (1.0 - point.Fraction) * this->Surface.Positions.row(point.First) +
-    point.Fraction * this->Surface.Positions.row(point.Second);
 }
 
 std::vector<PathPoint> PathStraightener::straighten(const std::vector<int>& vertices) const

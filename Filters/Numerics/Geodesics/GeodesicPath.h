@@ -19,6 +19,17 @@ struct PathPoint
   double Fraction = 0.0; ///< position between First (0) and Second (1)
 };
 
+/// Check that paths across edges are defined.
+/// @throws std::invalid_argument if an edge belongs to more than two triangles, or to two triangles
+///   of opposite orientation
+void requireSimpleEdges(const Mesh& mesh);
+
+/// Compute the position of a point of a path.
+Vector3 positionOf(const PathPoint& point, const Points& positions);
+
+/// Compute the length of a path.
+double lengthOf(const std::vector<PathPoint>& path, const Points& positions);
+
 /// Find paths along edges on which distances decrease: the next vertex v is the neighbor with the
 /// smallest sum of its distance and the length of the edge. Locally shortest paths found from them
 /// usually pass obstacles on the right side, on which paths along edges can be longer.
@@ -49,9 +60,6 @@ public:
   /// vertex
   ///   of the path are not connected by edges, return the path along edges.
   std::vector<PathPoint> straighten(const std::vector<int>& vertices) const;
-
-  /// Compute the position of a point.
-  Vector3 positionOf(const PathPoint& point) const;
 
 private:
   struct Unfolded;
