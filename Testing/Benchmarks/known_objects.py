@@ -110,16 +110,20 @@ class Scan:
     """An object known by its triangles."""
     stride = 5
 
-    def __init__(self, path, count):
-        reader = scan_files.scan_reader(path)
-        reader.Update()
-        self.surface = reader.GetOutput()
+    def __init__(self, surface, count):
+        self.surface = surface
         x, triangles = points_of(self.surface), triangles_of(self.surface)
         self.facets = facet_normals(x, triangles)[0]
         self.locator = vtkStaticCellLocator()
         self.locator.SetDataSet(self.surface)
         self.locator.BuildLocator()
-        self.points, _ = spread(x, triangles, count, np.random.default_rng(5))
+        self.points, self.ids = spread(x, triangles, count, np.random.default_rng(5))
+
+    @classmethod
+    def read(cls, path, count):
+        reader = scan_files.scan_reader(path)
+        reader.Update()
+        return cls(reader.GetOutput(), count)
 
     def mesh(self):
         return self.surface
@@ -189,7 +193,7 @@ def known_object(name, scans, count=0):
     scans is the folder of the files of SCANS.
     """
     if name in SCANS:
-        return Scan(os.path.join(scans, SCANS[name]), count or 60000)
+        return Scan.read(os.path.join(scans, SCANS[name]), count or 60000)
     if name in EQUATIONS:
         return Shape(name, count or 40000)
     raise ValueError(f"{name}: no such object; expected one of {', '.join([*EQUATIONS, *SCANS])}")

@@ -15,6 +15,11 @@ def learned(points, _normals):
     return surface.points.copy(), surface.faces.copy()
 
 
+def learned_with_neurons(points, _normals, neurons):
+    surface = conformalsom.learn(points, number_of_neurons=neurons)
+    return surface.points.copy(), surface.faces.copy()
+
+
 def learned_and_smoothed(points, _normals):
     surface = conformalsom.learn(points).smooth()
     return surface.points.copy(), surface.faces.copy()

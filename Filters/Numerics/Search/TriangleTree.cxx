@@ -217,17 +217,23 @@ void TriangleTree::update(FootPoint& best, const Vector3& x, int place) const
   }
 }
 
-// Compute the square distances of x from the four boxes of a quad.
+// Compute the square distances of x from the four boxes of a quad. The axes are written out, since
+// compilers keep the sum of a loop in memory.
 inline void TriangleTree::measure(const Quad& quad, const double* x, double* distances)
 {
-  Doubles sum = {};
-  for (int c = 0; c < 3; ++c)
+  const Doubles zero = {};
+  const auto square = [&](int axis, Doubles& result)
   {
-    const Doubles below = quad.Lower[c] - x[c], above = x[c] - quad.Upper[c], zero = {};
-    Doubles outside = below > above ? below : above;
-    outside = outside > zero ? outside : zero;
-    sum += outside * outside;
-  }
+    const Doubles below = quad.Lower[axis] - x[axis], above = x[axis] - quad.Upper[axis];
+    const Doubles outside = below > above ? below : above;
+    const Doubles length = outside > zero ? outside : zero;
+    result = length * length;
+  };
+  Doubles x2, y2, z2;
+  square(0, x2);
+  square(1, y2);
+  square(2, z2);
+  const Doubles sum = x2 + y2 + z2;
   for (int k = 0; k < DoubleLanes; ++k)
   {
     distances[k] = sum[k];
