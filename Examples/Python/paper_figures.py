@@ -204,15 +204,20 @@ class Gallery:
             model.mesh, face.view, model.view[1], ASPECT))
 
     def figure_11(self, folder):
-        """A checkerboard by Gu and Yau's map on obtuse and acute triangles, and by CSM."""
-        model = self.igea
-        panels = Panels(model)
+        """A checkerboard by Gu and Yau's map on obtuse and acute triangles, and by CSM, on each model."""
         board = textures.checkerboard()
-        for mesh, label in ((obtuse(model.few), "obtuse"), (self.csm(model), "acute")):
-            panels.add(painted(paper_models.mapped(mesh, "GuYau"), board, *model.view),
-                       f"GCM (Gu-Yau) of {label} triangles")
-        panels.add(painted(self.css(model), board, *model.view), "CSS of the CSM mesh")
-        panels.write(folder, "figure_11")
+        rows = {self.igea: (self.csm(self.igea), self.css(self.igea))}
+        if self.bunny is not self.igea:  # a mesh learned from the sphere has a web between the ears
+            csm = paper_models.learned(self.bunny.more, mesh_type="Adaptive")
+            rows[self.bunny] = csm, paper_models.smooth(csm, sampling="Network")
+        panels = Panels(self.igea)
+        for model, (csm, css) in rows.items():
+            camera = pictures.camera_on(model.mesh, *model.view, ASPECT)
+            for mesh, label in ((obtuse(model.few), "obtuse"), (csm, "acute")):
+                panels.add(painted(paper_models.mapped(mesh, "GuYau"), board, *model.view),
+                           f"GCM (Gu-Yau) of {label} triangles", camera)
+            panels.add(painted(css, board, *model.view), "CSS of the CSM mesh", camera)
+        panels.write(folder, "figure_11", rows=len(rows))
 
 
 def obtuse(mesh):

@@ -255,6 +255,29 @@ def print_table_4(model, made):
             print(f"{name:<27}{source:<13}{mean:>8.1%} mean{largest:>8.1%} largest")
 
 
+def short(number):
+    return f"{number:.1e}".replace("e-0", "e-") if number else ""
+
+
+def print_summary(model, made):
+    """The surfaces of Table 2 and X_few as a table in Markdown, with the checkerboards of Table 3."""
+    print(f"\n| {model.name} | learned from | start | published | p2s | nv | s2p | web | angle | area | 90 |")
+    print("|" + " --- |" * 11)
+    for name, source, start, surface, key in made:
+        if not name.endswith("+ CSS") and name != "X_few":
+            continue
+        row = [name, source, start, short(model.published.get(key)) if key else ""]
+        if isinstance(surface, str):
+            row += [f"none: {surface}"] + [""] * 6
+        else:
+            *distances, web = errors(surface, model.more, UNITS["largest radius = 1"])
+            distortion = distortions(surface)
+            row += [*map(short, distances), f"{100 * web:.1f} %"]
+            row += [f"{distortion[0]:.1f}", f"{distortion[1]:.2f}",
+                    f"{checkerboard_deviation(surface, *model.view):.1f}"] if distortion else [""] * 3
+        print("| " + " | ".join(row) + " |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -268,6 +291,7 @@ def main():
         print_table_2(model, made)
         print_table_3(model, made)
         print_table_4(model, made)
+        print_summary(model, made)
     figures = [f"{m.published['X_few']:.1e} on {m.name}" for m in models if "X_few" in m.published]
     print("\n" + READING.format(few=" and ".join(figures) or "8.0e-5 on Igea"))
 

@@ -218,7 +218,7 @@ def main():
     if args.points < 3000:
         parser.error("--points must be at least 3000")
     models = scan_files.read_models(args.model)
-    print(f"{'':<24}{'scan':<14}" + "".join(f"{column:>11}" for column in COLUMNS))
+    print("| " + " | ".join(("model", "scan", *COLUMNS)) + " |\n|" + " --- |" * (2 + len(COLUMNS)))
     for name, data in (models or {"bear": builtin_figure.figure_surface()}).items():
         model = Surface(data, scaled=True)
         first = None
@@ -228,9 +228,8 @@ def main():
             mesh, seconds, warnings = learned(cloud)
             first = first or seconds
             row = measured(model, mesh, known, seconds / first, warnings)
-            print(f"{name:<24}{scan:<14}" + "".join(f"{value:>11.3g}" for value in row.values()),
-                  flush=True)
-    print("Lengths: the model's largest radius is 1. Figures farther than 0.03 from what is missing.\n"
+            print(f"| {name} | {scan} | " + " | ".join(f"{value:.3g}" for value in row.values()) + " |", flush=True)
+    print("\nLengths: the model's largest radius is 1. Figures farther than 0.03 from what is missing.\n"
           "s2p: mean square distance of the mesh to the model; web: share of the mesh farther than\n"
           "0.02 from it; miss: share of the model farther than 0.02 from the mesh; inverted: share of\n"
           "the mesh that faces against the model; normals: root mean square angle between the normals of\n"

@@ -1,0 +1,193 @@
+#!/usr/bin/python3
+"""Run the commands that print the tables of the guides, and report rows that differ from what is printed.
+
+    PYTHONPATH=build/dev/python:Examples/Python Documentation/check_figures.py --scans FOLDER [--renew] [GUIDE ...]
+    Documentation/check_figures.py --age [GUIDE ...]
+
+A comment on the line before a table of a guide names the command:
+
+    <!-- figures: Testing/Benchmarks/measure_geodesics.py SCANS/spot.ply -->
+    | surface | points | ...
+
+SCANS stands for the folder of scans. The script runs from the folder of the project, and prints Markdown tables. The
+printed table is the one with the same titles of columns. Two numbers agree if they differ by at most TOLERANCE of the
+larger one, or by one unit of the last printed digit. Columns of times and memory are not compared, since they depend on
+the machine: those whose titles contain CPU, seconds, time, ms, MB or MiB. Exit status 1 if a row differs.
+
+--renew     replace tables by the printed ones
+--only      run only commands that contain this text
+--age       run nothing: list the tables, and the number of commits to Filters since the last change of each one
+"""
+import argparse
+import glob
+import os
+import re
+import shlex
+import subprocess
+import sys
+from typing import NamedTuple
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+MARK = re.compile(r"\s*<!-- figures: (.*?) -->\s*$")
+OF_THE_MACHINE = re.compile(r"\b(CPU|seconds|time|ms|s|MB|MiB)\b")
+NUMBER = re.compile(r"[-+]?\d[\d,]*\.?\d*(?:e[-+]?\d+)?")
+
+
+class Table(NamedTuple):
+    """A table of a guide: lines [begin, end) without the comment."""
+    guide: str
+    command: str
+    begin: int
+    end: int
+    lines: list
+
+
+def tables_in(lines):
+    """Begin and end of each Markdown table."""
+    begin = None
+    for number, line in enumerate([*lines, ""]):
+        inside = line.strip().startswith("|")
+        if inside and begin is None:
+            begin = number
+        elif not inside and begin is not None:
+            yield begin, number
+            begin = None
+
+
+def marked_tables(guide):
+    """Tables of a guide whose command is known."""
+    with open(guide, encoding="utf-8") as file:
+        lines = file.read().split("\n")
+    for begin, end in tables_in(lines):
+        mark = MARK.match(lines[begin - 1]) if begin else None
+        if mark:
+            yield Table(guide, mark.group(1), begin, end, lines[begin:end])
+
+
+def cells(line):
+    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def printed_tables(text):
+    """Rows of each printed table, by its titles."""
+    lines = text.split("\n")
+    found = {}
+    for begin, end in tables_in(lines):
+        rows = [cells(line) for line in lines[begin:end]]
+        found.setdefault(tuple(rows[0]), []).extend(rows[2:])
+    return found
+
+
+def step(number):
+    """A unit of the last printed digit."""
+    mantissa, _, exponent = number.partition("e")
+    return 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+
+
+def agree(one, other, tolerance):
+    """Whether the texts of two cells are equal but for small differences of their numbers."""
+    if NUMBER.sub("#", one.replace("*", "")) != NUMBER.sub("#", other.replace("*", "")):
+        return False
+    for a, b in zip(NUMBER.findall(one), NUMBER.findall(other)):
+        a, b = a.replace(",", ""), b.replace(",", "")
+        difference = abs(float(a) - float(b))
+        if difference > max(tolerance * max(abs(float(a)), abs(float(b))), 1.001 * max(step(a), step(b))):
+            return False
+    return True
+
+
+def differences(table, printed, tolerance):
+    """What differs between a table and what is printed."""
+    titles, _, *rows = (cells(line) for line in table.lines)
+    if tuple(titles) not in printed:
+        yield "nothing is printed with these titles"
+        return
+    new = printed[tuple(titles)]
+    if len(new) != len(rows):
+        yield f"{len(rows)} rows, but {len(new)} are printed"
+        return
+    for row, other in zip(rows, new):
+        for title, one, two in zip(titles, row, other):
+            if not OF_THE_MACHINE.search(title) and not agree(one, two, tolerance):
+                yield f"{row[0]}, {title}: {one}, but {two} is printed"
+
+
+def run(command, scans):
+    words = [word.replace("SCANS", scans) for word in shlex.split(command)]
+    result = subprocess.run([sys.executable, *words], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
+    if result.returncode:
+        raise RuntimeError(f"exit status {result.returncode}")
+    return printed_tables(result.stdout)
+
+
+def renewed(table, printed):
+    """Lines of the table with what is printed, indented as before."""
+    indent = re.match(r"\s*", table.lines[0]).group()
+    rows = printed[tuple(cells(table.lines[0]))]
+    return [*table.lines[:2], *(f"{indent}| " + " | ".join(row) + " |" for row in rows)]
+
+
+def renew(guide, tables, outputs):
+    with open(guide, encoding="utf-8") as file:
+        lines = file.read().split("\n")
+    for table in reversed(tables):
+        printed = outputs.get(table.command, {})
+        if tuple(cells(table.lines[0])) in printed:
+            lines[table.begin:table.end] = renewed(table, printed)
+    with open(guide, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines))
+
+
+def git(*words):
+    return subprocess.run(["git", *words], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout
+
+
+def print_ages(tables):
+    for table in tables:
+        blame = git("blame", "--line-porcelain", "-L", f"{table.begin + 1},{table.end}", "--", table.guide)
+        last = max(int(time) for time in re.findall(r"^committer-time (\d+)", blame, re.M))
+        commits = git("rev-list", "--count", f"--since={last}", "HEAD", "--", "Filters").strip()
+        print(f"{os.path.basename(table.guide)}:{table.begin + 1}: {commits} commits to Filters since, {table.command}")
+
+
+def check(tables, options):
+    """Run the commands and print differences. Return printed tables, by command, and the number of stale tables."""
+    outputs, stale = {}, 0
+    for table in tables:
+        if table.command not in outputs:
+            print(f"running {table.command}", file=sys.stderr, flush=True)
+            try:
+                outputs[table.command] = run(table.command, options.scans)
+            except RuntimeError as error:
+                print(f"{table.command}: {error}", flush=True)
+                outputs[table.command] = {}
+        found = list(differences(table, outputs[table.command], options.tolerance))
+        stale += bool(found)
+        for difference in found:
+            print(f"{os.path.basename(table.guide)}:{table.begin + 1}: {difference}", flush=True)
+    print(f"{len(tables)} tables, {stale} differ")
+    return outputs, stale
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("guides", nargs="*", default=sorted(glob.glob(os.path.join(ROOT, "Documentation", "*.md"))))
+    parser.add_argument("--scans", default="../shared/data", help="folder of scans, default %(default)s")
+    parser.add_argument("--tolerance", type=float, default=0.05, help="default %(default)s")
+    parser.add_argument("--only", default="", metavar="TEXT")
+    parser.add_argument("--renew", action="store_true")
+    parser.add_argument("--age", action="store_true")
+    options = parser.parse_args()
+    tables = [table for guide in options.guides for table in marked_tables(guide) if options.only in table.command]
+    if options.age:
+        print_ages(tables)
+        return 0
+    outputs, stale = check(tables, options)
+    if options.renew:
+        for guide in dict.fromkeys(table.guide for table in tables):
+            renew(guide, [table for table in tables if table.guide == guide], outputs)
+    return 1 if stale and not options.renew else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""Tests of Documentation/check_figures.py, and that the commands of the guides' tables exist."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SCRIPT = os.path.join(ROOT, "Documentation", "check_figures.py")
+sys.path.insert(0, os.path.dirname(SCRIPT))
+import check_figures  # noqa: E402 pylint: disable=wrong-import-position
+
+GUIDE = """Text.
+
+  <!-- figures: PRINTER -->
+  | name | error | CPU s |
+  | --- | --- | --- |
+  | one | 1.02e-5 | 3.0 |
+  | two | **2.0 %** | 1.0 |
+
+| name | error | CPU s |
+| --- | --- | --- |
+| other | 5 | 6 |
+"""
+PRINTED = "| name | error | CPU s |\n|---|---|---|\n| one | 1.00e-5 | 9.0 |\n| two | {} | 1.0 |\nThe end."
+
+
+class Figures(unittest.TestCase):
+    def run_script(self, second_row, *words):
+        with tempfile.TemporaryDirectory() as folder:
+            printer, guide = os.path.join(folder, "printer.py"), os.path.join(folder, "guide.md")
+            with open(printer, "w", encoding="utf-8") as file:
+                file.write(f"print({PRINTED.format(second_row)!r})")
+            with open(guide, "w", encoding="utf-8") as file:
+                file.write(GUIDE.replace("PRINTER", printer))
+            result = subprocess.run([sys.executable, SCRIPT, guide, *words], stdout=subprocess.PIPE,
+                                    stderr=subprocess.DEVNULL, text=True, check=False)
+            with open(guide, encoding="utf-8") as file:
+                return result.returncode, result.stdout, file.read().replace(printer, "PRINTER")
+
+    def test_equal_numbers_and_other_times_are_accepted(self):
+        self.assertEqual(self.run_script("2.1 %"), (0, "1 tables, 0 differ\n", GUIDE))
+
+    def test_other_numbers_are_reported(self):
+        code, text, guide = self.run_script("2.5 %")
+        self.assertEqual((code, guide), (1, GUIDE))
+        self.assertIn("guide.md:4: two, error: **2.0 %**, but 2.5 % is printed", text)
+
+    def test_other_texts_and_failures_are_reported(self):
+        self.assertIn("but 2.0 mm is printed", self.run_script("2.0 mm")[1])
+        self.assertIn("2 rows, but 3 are printed", self.run_script("2.0 % | 1.0 |\n| three | 1")[1])
+
+    def test_tables_are_renewed(self):
+        code, _, guide = self.run_script("2.5 %", "--renew")
+        self.assertEqual(code, 0)
+        self.assertEqual(guide, GUIDE.replace("1.02e-5 | 3.0", "1.00e-5 | 9.0").replace("**2.0 %**", "2.5 %"))
+
+    def test_commands_of_guides_exist(self):
+        folder = os.path.join(ROOT, "Documentation")
+        guides = [os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(".md")]
+        tables = [table for guide in guides for table in check_figures.marked_tables(guide)]
+        self.assertTrue(tables)
+        for table in tables:
+            self.assertTrue(os.path.exists(os.path.join(ROOT, table.command.split()[0])), table.command)
+
+
+if __name__ == "__main__":
+    unittest.main()
