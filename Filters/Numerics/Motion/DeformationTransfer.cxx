@@ -126,7 +126,6 @@ EdgeWeights restricted(const EdgeWeights& weights, const std::vector<int>& verti
     }
     result.Neighbors.Offsets.push_back(static_cast<int>(result.Neighbors.Ids.size()));
   }
-  run.report(1.0);
   return result;
 }
 }
