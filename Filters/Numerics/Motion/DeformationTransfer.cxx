@@ -22,7 +22,9 @@ constexpr Index BlockSize = 1024;
 
 /// Check a surface at rest, and turn its triangles so that they are counter-clockwise on the
 /// sphere.
-/// @return whether the map reversed the orientation
+/// @return whether the map reflects the surface: whether triangles that are counter-clockwise on
+/// the
+///   sphere are clockwise on the surface, seen from outside
 bool turnOnSphere(MappedMesh& mesh, const std::string& name, const Run& run)
 {
   if (mesh.Triangles.rows() == 0)
@@ -40,10 +42,16 @@ bool turnOnSphere(MappedMesh& mesh, const std::string& name, const Run& run)
       " is open, or its triangles are not oriented consistently, at " + std::to_string(open) +
       " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
-  const Triangles before = mesh.Triangles;
   mesh.Triangles = turnedToCoverOnce(
     mesh.SpherePositions, before, "the map to the sphere of the " + name, run.unwatched());
-  return mesh.Triangles != before;
+  double volume = 0.0;
+  const Vector3 origin = mesh.Positions.row(mesh.Triangles(0, 0));
+  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
+  {
+    volume += areaVector(mesh.Positions, mesh.Triangles, r)
+                .dot(mesh.Positions.row(mesh.Triangles(r, 0)).transpose() - origin);
+  }
+  return volume < 0.0;
 }
 
 double areaOf(const Mesh& mesh)
@@ -139,8 +147,8 @@ DeformationTransfer::DeformationTransfer(const MappedMesh& source, const MappedM
   MappedMesh from = source, to = target;
   if (turnOnSphere(from, "source", run) != turnOnSphere(to, "target", run))
   {
-    throw std::invalid_argument("the map to the sphere of one surface reverses the orientation of "
-                                "its triangles, unlike that of the other; mirror one of the maps");
+    throw std::invalid_argument("the map to the sphere of one surface reflects it, unlike that of "
+                                "the other; mirror one of the maps");
   }
   this->SourceRest = from.Positions;
   this->Target = to;

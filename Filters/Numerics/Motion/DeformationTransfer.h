@@ -65,8 +65,7 @@ public:
   static constexpr double MinimumQuality = 1e-3;
 
   /// @param[in] source, target  surfaces at rest: closed, with finite positions. Their maps cover
-  ///   the sphere once without folds. Either both maps reverse the orientation of the triangles, or
-  ///   none does.
+  ///   the sphere once without folds. Either both maps reflect their surfaces, or none does.
   /// @param[in] contacts  ids of target vertices
   /// @throws std::invalid_argument if a requirement above is not met, or a surface has no area
   /// @throws NumericalFailure if the constructor of MultifrontalCholesky throws it

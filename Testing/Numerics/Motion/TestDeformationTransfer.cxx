@@ -277,9 +277,19 @@ TEST(DeformationTransfer, MirroredMapsMustBothBeMirrored)
   const MappedMesh source = body(10, egg);
   MappedMesh mirrored = source;
   mirrored.SpherePositions.col(2) *= -1.0;
-  EXPECT_NE(messageOf(source, mirrored).find("reverses the orientation"), std::string::npos);
+  EXPECT_NE(messageOf(source, mirrored).find("reflects it"), std::string::npos);
   const Points pose = bent(source.Positions, 1.0);
   const Points found = DeformationTransfer(mirrored, mirrored, {}).transfer(pose).Positions;
+  EXPECT_LT(largestDistance(found, pose), 1e-10);
+}
+
+TEST(DeformationTransfer, SurfacesMayBeInsideOut)
+{
+  const MappedMesh source = body(10, egg);
+  MappedMesh target = source;
+  target.Triangles.col(1).swap(target.Triangles.col(2));
+  const Points pose = bent(source.Positions, 1.0);
+  const Points found = DeformationTransfer(source, target, {}).transfer(pose).Positions;
   EXPECT_LT(largestDistance(found, pose), 1e-10);
 }
 
