@@ -43,7 +43,7 @@ bool turnOnSphere(MappedMesh& mesh, const std::string& name, const Run& run)
       " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
   mesh.Triangles = turnedToCoverOnce(
-    mesh.SpherePositions, before, "the map to the sphere of the " + name, run.unwatched());
+    mesh.SpherePositions, mesh.Triangles, "the map to the sphere of the " + name, run.unwatched());
   double volume = 0.0;
   const Vector3 origin = mesh.Positions.row(mesh.Triangles(0, 0));
   for (Index r = 0; r < mesh.Triangles.rows(); ++r)
