@@ -8,7 +8,8 @@ the source, or expression, is transferred to the target. The true pose is that o
 same angles. The error is the root mean square distance of the vertices from it, after the best rigid motion, over
 the square root of the area. Rivals are the displacements of the source (plain), and the morph half way between the
 target at rest and the pose of the source. Folds are edges with an angle of more than 90 degrees between the normals.
-With --scan, poses of the animals are transferred to a scan, registered by shape alone, which has no true pose.
+Feet of animals that crouch rest on the source; "slide" is the root mean square motion of the target's, in the same unit,
+without contacts and with them. With --scan, poses of the animals are transferred to a scan, registered by shape alone, which has no true pose.
 """
 import argparse
 import os
@@ -159,6 +160,17 @@ def morphed(first, second, factor):
     return paper_models.run(morph)
 
 
+def measure_contacts(rows, source, target, args):
+    """How far the target's feet slide, as those of the source rest, with and without contacts."""
+    moved_map = registered(source, target, not args.automatic)
+    feet = poses.feet(target.points)
+    pose = poses.crouched(source.points)
+    for name, contacts in (("free", None), ("contacts", feet)):
+        found = transferred(moved_map, target.mapped, pose, contacts, align=False)
+        slides = np.linalg.norm(points_of(found)[feet] - target.points[feet], axis=1) / np.sqrt(target.areas.sum())
+        rows.add(name, slide=np.sqrt((slides**2).mean()), **figures_of(found, target))
+
+
 class Rows:
     """Figures of each method, over all poses of all pairs."""
 
@@ -171,7 +183,7 @@ class Rows:
     def write(self, title):
         print(f"{title}, {len(next(iter(self.rows.values())))} poses")
         print(f"{'':<10}{'error':>9}{'largest':>9}{'folds':>9}{'at rest':>9}{'crossings':>11}{'at rest':>9}"
-              f"{'volume':>16}{'residual':>10}")
+              f"{'volume':>16}{'residual':>10}{'slide':>9}")
         for method, rows in self.rows.items():
             def of(name, reduce, form):
                 values = [row[name] for row in rows if name in row]
@@ -180,7 +192,7 @@ class Rows:
             print(f"{method:<10}{of('error', np.mean, '.4f'):>9}{of('error', max, '.4f'):>9}"
                   f"{of('folds', np.mean, '.1f'):>9}{of('rest_folds', np.mean, '.1f'):>9}"
                   f"{of('crossings', np.mean, '.1f'):>11}{of('rest_crossings', np.mean, '.1f'):>9}{volume:>16}"
-                  f"{of('residual', np.mean, '.3f'):>10}")
+                  f"{of('residual', np.mean, '.3f'):>10}{of('slide', np.mean, '.4f'):>9}")
 
 
 def figures_of(surface, target, truth=None):
@@ -220,19 +232,26 @@ def measure_pair(rows, source, target, args):
                      / volume_of(target.points, target.triangles))
 
 
-def models_of(kind, number, seed, size):
-    """Bodies of genus zero with their poses."""
+def genus_zero(mesh):
+    """The checked mesh, or None."""
+    check = vtkGenusZeroCheck()
+    check.SetInputData(mesh)
+    checked = paper_models.run(check)
+    return checked if checked.GetFieldData().GetArray("IsGenusZero").GetValue(0) == 1 else None
+
+
+def models_of(kind, number, seed, sizes):
+    """Bodies of genus zero with their poses, each as source and as target."""
     make, moved, kinds = {"animals": (bodies.animal, poses.posed, poses.POSES),
                           "heads": (bodies.head, poses.expressed, poses.EXPRESSIONS)}[kind]
     random = np.random.default_rng([seed, len(kind)])
     models = []
     while len(models) < number:
         body = make(random, 0.0)
-        check = vtkGenusZeroCheck()
-        check.SetInputData(body.mesh(size))
-        checked = paper_models.run(check)
-        if checked.GetFieldData().GetArray("IsGenusZero").GetValue(0) == 1:
-            models.append(Model(body, checked, moved, kinds))
+        meshes = [genus_zero(body.mesh(size)) for size in sorted(set(sizes))]
+        if all(meshes):
+            made = {size: Model(body, mesh, moved, kinds) for size, mesh in zip(sorted(set(sizes)), meshes)}
+            models.append([made[size] for size in sizes])
     return models
 
 
@@ -242,23 +261,28 @@ def main():
     parser.add_argument("--pairs", type=int, default=4, help="of each kind, default 4")
     parser.add_argument("--seed", type=int, default=2, help="of the bodies, default 2")
     parser.add_argument("--size", type=int, default=90, help="cells of the grid along the longest side, default 90")
+    parser.add_argument("--target-size", type=int, help="of targets, default as --size")
     parser.add_argument("--automatic", action="store_true", help="register by shape alone")
     parser.add_argument("--aligned", action="store_true", help="AlignRotation off: all bodies face the same way")
     parser.add_argument("--scan", nargs="*", default=[], help="closed surfaces to which poses of animals are transferred")
     args = parser.parse_args()
     for kind in args.kinds:
-        models = models_of(kind, args.pairs + 1, args.seed, args.size)
+        models = models_of(kind, args.pairs + 1, args.seed, (args.size, args.target_size or args.size))
         rows = Rows()
-        for source, target in zip(models, models[1:]):
+        for (source, _), (_, target) in zip(models, models[1:]):
             measure_pair(rows, source, target, args)
         rows.write(kind)
         if kind == "animals":
+            rows = Rows()
+            for (source, _), (_, target) in zip(models, models[1:]):
+                measure_contacts(rows, source, target, args)
+            rows.write("feet")
             for path in args.scan:
                 reader = scan_files.scan_reader(path)
                 reader.Update()
                 scan = Model(None, triangulated(reader.GetOutput()))
                 rows, args.automatic = Rows(), True
-                measure_pair(rows, models[0], scan, args)
+                measure_pair(rows, models[0][0], scan, args)
                 rows.write(os.path.basename(path))
 
 

@@ -3,7 +3,7 @@
 posed() rotates the bones of an animal of bodies.animal() about their joints, by linear blend skinning: each point
 moves by the mean of the motions of the bones near it. Bodies with the same angles are in the same pose, so that a pose
 that is transferred from one animal to another one can be compared with that of the other one's own skeleton.
-expressed() moves jaw, brows and cheeks of a head of bodies.head().
+crouched() lowers the body of an animal above resting feet. expressed() moves jaw, brows and cheeks of a head of bodies.head().
 """
 import numpy as np
 
@@ -75,6 +75,20 @@ def posed(points, body, pose, share=1.0):
     weights /= weights.sum(axis=1)[:, None]
     moved = [points @ turn.T + shift for turn, shift in map(motion, range(len(PARENTS)))]
     return np.einsum("ib,bik->ik", weights, np.array(moved))
+
+
+def crouched(points, share=1.0):
+    """An animal that leans forward and down, while its feet rest: the lowest 15 percent of its height."""
+    low, high = points[:, 2].min(), points[:, 2].max()
+    above = np.clip(((points[:, 2] - low) / (high - low) - 0.15) / 0.85, 0, 1)
+    rise = (above * above * (3 - 2 * above))[:, None]
+    return points + share * (high - low) * rise * (0.2 * X - 0.15 * Z)
+
+
+def feet(points):
+    """Which points are feet: the lowest 10 percent of the height."""
+    low, high = points[:, 2].min(), points[:, 2].max()
+    return points[:, 2] <= low + 0.1 * (high - low)
 
 
 def bump(points, center, radius):
