@@ -105,19 +105,26 @@ def scene_of(surface, label, view, color):
     """Seen by itself, since poses move a body."""
     actor = pictures.actor_of(surface)
     actor.GetMapper().ScalarVisibilityOff()
-    actor.GetProperty().SetColor(*color)
+    actor.GetProperty().SetColor(color[0], color[1], color[2])
     return pictures.scene(actor, label, pictures.camera_on(surface, view, UP, PANEL[0] / PANEL[1], 0.0))
 
 
-def draw(args):
-    kind = "heads" if args.heads else "animals"
-    make, moved, kinds = ((bodies.head, poses.expressed, poses.EXPRESSIONS) if args.heads
-                          else (bodies.animal, poses.posed, poses.POSES))
-    body, source = body_of(make, args.seeds[0], args.size)
+def made_by_code(args):
+    """The first body, its mapped mesh, its poses by their names, and the function that makes bodies."""
+    random_body = bodies.head if args.heads else bodies.animal
+    body, source = body_of(random_body, args.seeds[0], args.size)
     points = points_of(source).astype(float)
-    all_poses = [moved(points, body, angles) for angles in kinds.values()]
-    rows = [[source] + [in_pose(source, pose) for pose in all_poses]]
-    targets = [body_of(make, seed, args.size) for seed in args.seeds[1:]]
+    if args.heads:
+        moved = {name: poses.expressed(points, body, motions) for name, motions in poses.EXPRESSIONS.items()}
+    else:
+        moved = {name: poses.posed(points, body, angles) for name, angles in poses.POSES.items()}
+    return body, source, moved, random_body
+
+
+def draw(args):
+    body, source, moved, random_body = made_by_code(args)
+    rows = [[source] + [in_pose(source, points) for points in moved.values()]]
+    targets = [body_of(random_body, seed, args.size) for seed in args.seeds[1:]]
     for path in args.model:
         reader = scan_files.scan_reader(path)
         reader.Update()
@@ -126,10 +133,11 @@ def draw(args):
         own = registered(source, body, target, other)
         if not other:
             turn_to(target, own)
-        rows.append([target] + transferred(own, [in_pose(own, pose) for pose in all_poses], target, args.feet))
-    labels = ["at rest", *kinds]
-    scenes = [scene_of(shape, label, args.view or VIEW[kind], COLORS[k % len(COLORS)])
-              for k, row in enumerate(rows) for shape, label in zip(row, labels if k == 0 else [""] * len(labels))]
+        rows.append([target] + transferred(own, [in_pose(own, points) for points in moved.values()], target, args.feet))
+    view = args.view or VIEW["heads" if args.heads else "animals"]
+    labels = ["at rest"] + list(moved)
+    scenes = [scene_of(shape, label if k == 0 else "", view, COLORS[k % len(COLORS)])
+              for k, row in enumerate(rows) for shape, label in zip(row, labels)]
     pictures.write_side_by_side(args.output, scenes, PANEL[0] * len(labels), PANEL[1] * len(rows), rows=len(rows))
 
 

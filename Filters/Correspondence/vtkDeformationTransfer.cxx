@@ -3,6 +3,7 @@
 #include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
 #include "Glue/Arrays.h"
+#include "Glue/Checks.h"
 #include "Glue/MappedSurfaces.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
@@ -125,6 +126,7 @@ void RequireSameCells(vtkPolyData* pose, vtkPolyData* source)
     throw std::invalid_argument("the pose has " + std::to_string(pose->GetNumberOfPoints()) +
       " points, but the source at rest has " + std::to_string(source->GetNumberOfPoints()));
   }
+  glue::RequireCellIds(pose);
   if (!glue::HaveEqualPolygons(pose, source))
   {
     throw std::invalid_argument("the polygons of the pose are not those of the source at rest: a "

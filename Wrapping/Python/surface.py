@@ -250,8 +250,9 @@ class Surface:
             data = point_set(pose)
             if data.GetNumberOfCells() == 0 or not isinstance(data, vtkPolyData):
                 points, data = data.GetPoints(), vtkPolyData()
-                data.ShallowCopy(rest)
                 data.SetPoints(points)
+                data.SetPolys(rest.GetPolys())
+                data.SetStrips(rest.GetStrips())
             if algorithm is None:
                 algorithm, texts = updated("vtkDeformationTransfer", [self], progress,
                                            {**properties, "source": rest, "pose": data})

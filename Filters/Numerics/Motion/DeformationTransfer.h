@@ -36,9 +36,9 @@ struct TransferredShape
 /// Source and target at rest, prepared to transfer any number of poses (deformed shapes of the
 /// source).
 ///
-/// The deformed target minimizes the sum over its triangles j of A_j |T_j - S_j|^2, \cite
-/// Sumner2004 Eq. 5. A_j is the area at rest, T_j the deformation gradient of the target, and S_j
-/// that of the source, see DeformationGradients. Only the differences along the triangle are
+/// The deformed target minimizes the sum of A_j |T_j - S_j|^2 over its triangles j,
+/// \cite Sumner2004 Eq. 5. A_j is the area at rest, T_j the deformation gradient of the target, and
+/// S_j that of the source, see DeformationGradients. Only the differences along the triangle are
 /// minimized. The minimum is then the solution of a Poisson equation with cotangent weights,
 /// \cite Botsch2006. Its matrix does not depend on the pose, and is factored once. S_j is the mean
 /// over the area of the target triangle, see correspondingTriangles(). The mean minimizes the
