@@ -126,6 +126,7 @@ void RequireSameCells(vtkPolyData* pose, vtkPolyData* source)
     throw std::invalid_argument("the pose has " + std::to_string(pose->GetNumberOfPoints()) +
       " points, but the source at rest has " + std::to_string(source->GetNumberOfPoints()));
   }
+  glue::RequireCellIds(source);
   glue::RequireCellIds(pose);
   if (!glue::HaveEqualPolygons(pose, source))
   {

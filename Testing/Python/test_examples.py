@@ -316,7 +316,7 @@ class TestExamples(unittest.TestCase):
     def test_poses_are_transferred(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "poses.png")
-            completed = run("transfer_poses.py", "--size", "40", "--feet", "--output", path)
+            completed = run("transfer_poses.py", "--size", "60", "--feet", "--output", path)
             self.assertEqual((completed.returncode, completed.stderr), (0, ""))
             residuals = [float(value) for value in re.findall(r"TransferResidual (\S+)", completed.stdout)]
             self.assertEqual(len(residuals), 4)
