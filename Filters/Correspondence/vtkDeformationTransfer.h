@@ -29,8 +29,8 @@
  * - field data "TransferResidual" (double, 1 value): root mean square over the area of the
  *   difference between the deformation gradients of target and source. A deformation gradient is a
  *   3 by 3 matrix, and that of a surface at rest is the identity. 0 if the target deforms exactly
- *   as the source. Values above about 0.3 indicate that the maps do not correspond, or that
- * contacts contradict the pose.
+ *   as the source. Poses of limbs give about 0.05 to 0.2. Larger values can indicate that the maps
+ *   do not correspond, or that contacts contradict the pose.
  *
  * If AlignRotation is on, and the target at rest faces another way than the source, it deforms
  * along its own axes. Lengths by which the target moves as a whole are those of the source,

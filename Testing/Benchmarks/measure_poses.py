@@ -6,7 +6,7 @@
 Animals and heads are made by code, and registered in pairs by landmarks, or by shape alone (--automatic). Each pose of
 the source, or expression, is transferred to the target. The true pose is that of the target's own skeleton with the
 same angles. The error is the root mean square distance of the vertices from it, after the best rigid motion, over
-the square root of the area. Rivals are the displacements of the source (plain), and the morph half way between the
+the square root of the area. "turned" is a source whose map is turned by 90 degrees, so that it does not correspond. Rivals are the displacements of the source (plain), and the morph half way between the
 target at rest and the pose of the source. Folds are edges with an angle of more than 90 degrees between the normals.
 Feet of animals that crouch rest on the source; "slide" is the root mean square motion of the target's, in the same unit,
 without contacts and with them. With --scan, poses of the animals are transferred to a scan, registered by shape alone, which has no true pose.
@@ -150,6 +150,20 @@ def transferred(source, target, pose, contacts=None, align=True):
     return paper_models.run(transfer)
 
 
+def residual_of(surface):
+    return surface.GetFieldData().GetArray("TransferResidual").GetValue(0)
+
+
+def with_turned_map(surface):
+    """A surface whose map does not correspond to any other: turned by 90 degrees."""
+    result = with_points(surface, points_of(surface))
+    turned = vtk_to_numpy(surface.GetPointData().GetArray("SpherePosition")) @ poses.rotation(poses.X, np.pi / 2).T
+    array = numpy_to_vtk(np.ascontiguousarray(turned), deep=True)
+    array.SetName("SpherePosition")
+    result.GetPointData().AddArray(array)
+    return result
+
+
 def morphed(first, second, factor):
     morph = vtkSphericalMorph()
     morph.SetInputData(first)
@@ -188,7 +202,8 @@ class Rows:
             def of(name, reduce, form):
                 values = [row[name] for row in rows if name in row]
                 return format(reduce(values), form) if values else "-"
-            volume = of("volume", min, ".3f") + " to " + of("volume", max, ".3f")
+            lowest, highest = of("volume", min, ".3f"), of("volume", max, ".3f")
+            volume = "-" if lowest == "-" else f"{lowest} to {highest}"
             print(f"{method:<10}{of('error', np.mean, '.4f'):>9}{of('error', max, '.4f'):>9}"
                   f"{of('folds', np.mean, '.1f'):>9}{of('rest_folds', np.mean, '.1f'):>9}"
                   f"{of('crossings', np.mean, '.1f'):>11}{of('rest_crossings', np.mean, '.1f'):>9}{volume:>16}"
@@ -203,19 +218,20 @@ def figures_of(surface, target, truth=None):
                "volume": volume_of(points, target.triangles) / volume_of(target.points, target.triangles)}
     if truth is not None:
         figures["error"] = distance(points, truth, target.areas) / np.sqrt(target.areas.sum())
-    residual = surface.GetFieldData().GetArray("TransferResidual")
-    if residual:
-        figures["residual"] = residual.GetValue(0)
+    if surface.GetFieldData().HasArray("TransferResidual"):
+        figures["residual"] = residual_of(surface)
     return figures
 
 
 def measure_pair(rows, source, target, args):
-    """All poses of a pair."""
-    moved_map = registered(source, target, not args.automatic)
+    """All poses of a pair. A scan has no landmarks that correspond."""
+    moved_map = registered(source, target, target.body is not None and not args.automatic)
     for kind in source.kinds:
         pose = source.pose(kind)
         truth = target.pose(kind) if target.kinds else None
         rows.add("transfer", **figures_of(transferred(moved_map, target.mapped, pose, align=not args.aligned), target, truth))
+        wrong = transferred(with_turned_map(moved_map), target.mapped, pose, align=not args.aligned)
+        rows.add("turned", residual=residual_of(wrong))
         every = np.ones(len(target.points))
         plain = transferred(moved_map, target.mapped, pose, every, not args.aligned)
         plain.GetFieldData().RemoveArray("TransferResidual")
@@ -281,7 +297,7 @@ def main():
                 reader = scan_files.scan_reader(path)
                 reader.Update()
                 scan = Model(None, triangulated(reader.GetOutput()))
-                rows, args.automatic = Rows(), True
+                rows = Rows()
                 measure_pair(rows, models[0][0], scan, args)
                 rows.write(os.path.basename(path))
 
