@@ -144,6 +144,24 @@ private:
   vtkNew<vtkIdList> Ears;
 };
 
+bool HasEqualCells(vtkCellArray* a, vtkCellArray* b)
+{
+  if (a == b)
+  {
+    return true;
+  }
+  bool isEqual = a->GetNumberOfCells() == b->GetNumberOfCells();
+  for (vtkIdType i = 0; i < a->GetNumberOfCells() && isEqual; ++i)
+  {
+    vtkIdType sizes[2];
+    const vtkIdType* ids[2];
+    a->GetCellAtId(i, sizes[0], ids[0]);
+    b->GetCellAtId(i, sizes[1], ids[1]);
+    isEqual = sizes[0] == sizes[1] && std::equal(ids[0], ids[0] + sizes[0], ids[1]);
+  }
+  return isEqual;
+}
+
 std::string Sentence(const conformal::GenusZeroReport& report)
 {
   std::string text;
@@ -254,6 +272,13 @@ bool HasCellIds(vtkPolyData* surface)
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool HaveEqualPolygons(vtkPolyData* a, vtkPolyData* b)
+{
+  return HasEqualCells(a->GetPolys(), b->GetPolys()) &&
+    HasEqualCells(a->GetStrips(), b->GetStrips());
 }
 
 //------------------------------------------------------------------------------

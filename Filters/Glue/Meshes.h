@@ -34,6 +34,9 @@ bool HasTriangles(vtkPolyData* surface);
 /// Return whether all cells contain only valid point ids.
 bool HasCellIds(vtkPolyData* surface);
 
+/// Return whether two surfaces have equal polygons and strips, by point ids and in equal order.
+bool HaveEqualPolygons(vtkPolyData* a, vtkPolyData* b);
+
 /// Which surfaces ToClosedMesh() accepts.
 enum class Topology
 {

@@ -25,7 +25,7 @@ set(below_Body Base Mesh Search Sphere Texture)
 set(below_Volume Base Mesh Search)
 set(below_Measure Base Mesh Search Linear Sphere)
 set(below_Register Base Mesh Search Linear Sphere SphereMap Measure)
-set(below_Motion Base Mesh Sphere Register)
+set(below_Motion Base Mesh Linear Sphere Register)
 set(below_Harmonics Base Mesh Linear Sphere)
 
 include("${CMAKE_CURRENT_LIST_DIR}/IncludeDownward.cmake")

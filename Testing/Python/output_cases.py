@@ -527,6 +527,7 @@ TURNED = functools.partial(mapped, 4, 0.2, 0.3)
 SCANS = {"scans.conf": "bmesh scan.ply 0 0 0 0 0 0 1\nbmesh other.ply 1 2 3 0 0.6 0 0.8\n",
          "scan.ply": SCAN, "other.ply": SCAN}
 TWO = [mapped, TURNED]
+POSED = functools.partial(mapped, 4, 0.4)
 
 CASES = {
     # Filters and sources.
@@ -585,6 +586,8 @@ CASES = {
                     inputs([], [], lambda: bear(SMALL_BEAR)), call("SetDomeHeightToFitted"),
                     call("SetSeamModeToPerTriangle")),
                 "VertexShift=0.3": properties_of(VertexShift=0.3)}),
+    "vtkDeformationTransfer": Filter(
+        inputs(TURNED, mapped, POSED), others={"contacts": properties_of(ContactArrayName="Seen")}),
     "vtkGenusZeroCheck": Filter(inputs(mapped), others={"torus": lambda object_: object_.SetInputData(torus()),
                                                         "holes": lambda object_: object_.SetInputData(with_holes())}),
     "vtkGenusZeroHull": Filter(

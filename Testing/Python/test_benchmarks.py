@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
 
 import conformalsom
 from conformalsom import vtkGeodesicSphereSource
-from helpers import depth_camera
+from helpers import bodies, depth_camera, poses
 from helpers.clouds import points_of, vtk_points
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Benchmarks"))
@@ -18,6 +18,7 @@ import chart_methods  # pylint: disable=wrong-import-position
 import compare_smoothing  # pylint: disable=wrong-import-position
 import harmonics_methods  # pylint: disable=wrong-import-position
 import map_methods  # pylint: disable=wrong-import-position
+import measure_poses  # pylint: disable=wrong-import-position
 import scanner_noise  # pylint: disable=wrong-import-position
 from curvature_error import Curvature  # pylint: disable=wrong-import-position
 from known_objects import facet_normals, mismatch, rms, triangles_of  # pylint: disable=wrong-import-position
@@ -74,6 +75,31 @@ class TestBenchmarks(unittest.TestCase):
         surface.SetPoints(vtk_points(2.0 * points_of(surface)))
         curvature = Curvature(surface, 0.3).closest(points_of(surface)[::40])
         self.assertLess(np.abs(curvature - 0.5).max(), 5e-3)
+
+    def test_poses_are_those_of_the_skeleton(self):
+        body = bodies.animal(np.random.default_rng(1), 0.0)
+        paw = body.cones[poses.LEGS["front left"] + 2][1]
+        hip = body.cones[poses.LEGS["front left"]][0]
+        points = np.array([paw, hip - [0.0, 0.0, 0.01], body.cones[poses.LOIN][0]])
+        np.testing.assert_allclose(poses.posed(points, body, poses.POSES["stride"], 0.0), points, atol=1e-12)
+        moved = poses.posed(points, body, poses.bent("front left", np.pi / 2))
+        expected = hip + (paw - hip) @ poses.rotation(poses.Y, np.pi / 2).T
+        knee = poses.posed(points, body, {poses.LEGS["front left"]: (poses.Y, np.pi / 2)})
+        self.assertLess(np.linalg.norm(knee[0] - expected), 0.02)
+        np.testing.assert_allclose(moved[2], points[2], atol=0.02)
+        with self.assertRaises(ValueError):
+            poses.posed(points, bodies.head(np.random.default_rng(1), 0.0), {})
+
+    def test_folds_and_crossings_are_counted(self):
+        surface = sphere(6)
+        points, triangles = points_of(surface).astype(float), triangles_of(surface)
+        self.assertEqual(measure_poses.folds_of(points, triangles), 0)
+        self.assertEqual(measure_poses.crossings_of(points, triangles), 0)
+        self.assertLess(measure_poses.distance(points @ poses.rotation(poses.Z, 0.4).T + 3.0, points, np.ones(len(points))),
+                        1e-12)
+        points[0] *= -1.5  # through the other side
+        self.assertGreater(measure_poses.folds_of(points, triangles), 4)
+        self.assertGreater(measure_poses.crossings_of(points, triangles), 4)
 
     def test_rivals_remove_noise_from_a_mesh(self):
         truth, noisy = sphere(60), sphere(20)

@@ -313,6 +313,16 @@ class TestExamples(unittest.TestCase):
         states = [row[1] for row in rows if len(row) > 1 and row[1] in ("reference", "registered")]
         self.assertEqual(states, ["reference", "registered"])
 
+    def test_poses_are_transferred(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "poses.png")
+            completed = run("transfer_poses.py", "--size", "60", "--feet", "--output", path)
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            residuals = [float(value) for value in re.findall(r"TransferResidual (\S+)", completed.stdout)]
+            self.assertEqual(len(residuals), 4)
+            self.assertLess(max(residuals), 0.4)
+            self.assertTrue(os.path.isfile(path))
+
     def test_gallery_shows_each_with_picture_and_command(self):
         with open(os.path.join(EXAMPLES, "README.md"), encoding="utf-8") as file:
             sections = re.split(r"^## ", file.read(), flags=re.MULTILINE)[1:]

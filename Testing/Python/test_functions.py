@@ -119,6 +119,20 @@ class TestFunctions(unittest.TestCase):
         self.assertEqual((coefficients.shape, len(rebuilt)), ((81, 3), 500))
         self.assertEqual(rebuilt.quality["HarmonicPower"].size, 9)
 
+    def test_transfers_poses(self):
+        target = cs.conformal_map((self.surface.points, self.surface.faces))
+        poses = [np.array(self.surface.points) * scale for scale in (1.0, 1.5)]
+        poses.append((poses[0] + 7.0, self.surface.faces))
+        same, larger, moved = self.surface.posed(self.surface, poses, align_rotation=False)
+        np.testing.assert_allclose(same.points, self.surface.points, atol=1e-10)
+        np.testing.assert_allclose(larger.points, 1.5 * self.surface.points, atol=1e-10)
+        np.testing.assert_allclose(moved.points, self.surface.points + 7.0, atol=1e-10)
+        np.testing.assert_array_equal(same.faces, self.surface.faces)
+        self.assertLess(same.quality["TransferResidual"], 1e-10)
+        self.assertEqual(target.posed(self.surface, []), [])
+        with self.assertRaisesRegex(cs.FilterFailed, "the pose has 9 points"):
+            self.surface.posed(self.surface, [np.zeros((9, 3))])
+
     def test_paints_and_saves(self):
         painted = self.surface.paint(picture(), field_of_view=200.0)
         np.testing.assert_array_equal(painted.texture, picture())

@@ -95,7 +95,7 @@ class TestGuides(unittest.TestCase):
             **{name: producer_of(bear) for name in names},
             "network": network, "surface": surface, "painted": painted, "body": body, "harmonics": harmonics,
             "volume": ball_volume(), "label_picture": label_map(), "polygons": outlines(),
-            "surfaces": [bear, bear], "scan": producer_of(cloud),
+            "surfaces": [bear, bear], "poses": [bear, bear], "scan": producer_of(cloud),
             "front": producer_of(textures.rosette(64)), "back": producer_of(textures.wood(64)),
             "directions": numpy_to_vtk(np.eye(3), deep=True), "vtkDoubleArray": vtkDoubleArray,
             **{name: value for name, value in vars(conformalsom).items() if name.startswith("vtk")},

@@ -179,6 +179,11 @@ def beside_the_chain(stages):
     series.SetFrequency(8)
     series.SetNumberOfSweeps(0)
     series.Update()
+    transfer = conformalsom.vtkDeformationTransfer()
+    transfer.SetInputConnection(stages["vtkSphericalAlignment"].GetOutputPort())
+    transfer.SetSourceConnection(stages["vtkConformalSOM"].GetOutputPort())
+    transfer.SetPoseConnection(stages["vtkConformalSOM"].GetOutputPort())
+    transfer.Update()
     body = vtkBodyMap()
     body.SetInputConnection(stages["vtkConformalSOM"].GetOutputPort())
     body.SetPlacesData(torus())
@@ -217,7 +222,7 @@ def beside_the_chain(stages):
     geodesics.AddSourceId(0)
     geodesics.SetTargetsConnection(stages["vtkConformalSOM"].GetOutputPort())
     geodesics.Update()
-    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series,
+    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series, transfer,
                resample, repair, body, chart, outside, layers, labels, drawn,
                geodesics)
     return {filter_.GetClassName(): filter_ for filter_ in filters}

@@ -124,8 +124,9 @@ class TestProxies(unittest.TestCase):
         for class_ in CLASSES.values():
             object_ = getattr(conformalsom, class_.name)()
             for port in class_.inputs[1:]:
-                data = vtkPolyData() if port.types[0] == "vtkPointSet" else (
-                    vtkDataObjectTypes.NewDataObject(port.types[0]))
+                # Data of any type derived from an abstract one.
+                concrete = {"vtkPointSet": "vtkPolyData", "vtkCompositeDataSet": "vtkMultiBlockDataSet"}
+                data = vtkDataObjectTypes.NewDataObject(concrete.get(port.types[0], port.types[0]))
                 with self.subTest(f"{class_.name}.{port.name}"):
                     producer = vtkTrivialProducer()
                     verb = "Add" if port.repeatable else "Set"

@@ -38,6 +38,7 @@ print(smooth.points.shape, smooth.faces.max(), smooth.sphere.mean(), smooth.qual
 smooth.paint("photo.png", view_direction=(0, 0, 1)).save("figure.glb")
 registered = surface.register(smooth, landmarks=[(1, 2)], features=[("Supported", 1.0)])
 mean = cs.mean_shape([surface, registered], progress=True)
+print(smooth.posed(registered, [np.zeros((500, 3)), mean], align_rotation=False)[0].points.shape)
 print(surface.harmonics(20).coefficients.shape, surface.warnings[0].lower())
 tissue = cs.surface_from_volume(np.zeros((9, 9, 9)), spacing=(1.0, 1.0, 2.0), start=surface, smoothing=1.0)
 series = cs.time_series([tissue, surface], time_interval=30.0, features=[("LayerMean", 1.0)])

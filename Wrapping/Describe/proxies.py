@@ -42,7 +42,7 @@ GROUPS = {  # submenus of filters
     "Sphere Map": ("GlobalConformalMap", "ConformalDistortion", "SphericalAlignment"),
     "Texture": ("SphericalTextureMap", "SphericalTextureImage", "SphericalTextureBlend", "SurfaceNormalMap"),
     "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
-                       "SphericalTimeSeries", "ConsistentRemesh"),
+                       "SphericalTimeSeries", "ConsistentRemesh", "DeformationTransfer"),
     "Shape": ("BodyMap", "BodyMapImage", "MapLabels", "MapOutlines", "SurfaceGeodesics", "SurfaceHarmonics",
               "SurfaceHarmonicsSource", "SurfaceLayers", "SurfaceShape", "VolumeSurfacePoints"),
 }
@@ -310,7 +310,9 @@ class Proxy:
         element = ElementTree.Element("InputProperty", name=port.name)
         element.set("command", "AddInputConnection" if port.repeatable else "SetInputConnection")
         if port.repeatable:
-            element.attrib.update(clean_command="RemoveAllInputs", multiple_input="1")
+            # RemoveAllInputs() of VTK empties port 0 only.
+            clean = "RemoveAll" + port.name + "s" if port.index > 0 else "RemoveAllInputs"
+            element.attrib.update(clean_command=clean, multiple_input="1")
         if port.index:
             element.set("port_index", str(port.index))
         if chosen:

@@ -231,6 +231,37 @@ class Surface:
         """
         return self._filtered("vtkSphericalRegistration", progress, {**properties, "fixed": fixed})
 
+    @properties_of("vtkDeformationTransfer", without=("source", "pose"))
+    def posed(self, source: MeshLike, poses: typing.Iterable[PointsLike], *, progress: Progress = False,
+              **properties: typing.Any) -> typing.List["Surface"]:
+        """Deform this surface as another surface is deformed: transfer poses or facial expressions.
+
+        source: the other surface at rest, registered to this surface, so that their maps correspond.
+        poses: the other surface in each pose: arrays of n x 3 points, or meshes with the triangles of `source`.
+        progress: True for a bar, or a function that gets the completed fraction in [0, 1], once for each pose.
+
+        Returns this surface in each pose. Raises FilterFailed if a pose does not fit the source. Example:
+
+            happy, sad = face.posed(other.register(face), [happy_points, sad_points])
+        """
+        rest, shapes = Surface(source).polydata, []
+        algorithm: typing.Any = None
+        for pose in poses:
+            data = point_set(pose)
+            if data.GetNumberOfCells() == 0 or not isinstance(data, vtkPolyData):
+                points, data = data.GetPoints(), vtkPolyData()
+                data.SetPoints(points)
+                data.SetPolys(rest.GetPolys())
+                data.SetStrips(rest.GetStrips())
+            if algorithm is None:
+                algorithm, texts = updated("vtkDeformationTransfer", [self], progress,
+                                           {**properties, "source": rest, "pose": data})
+            else:
+                algorithm.SetPoseData(data)
+                texts = run(algorithm, progress)
+            shapes.append(Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts]))
+        return shapes
+
     @properties_of("vtkSurfaceLayers", without=("volume",))
     def layers(self, volume: VolumeLike, *, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0),
                progress: Progress = False, **properties: typing.Any) -> Layers:
