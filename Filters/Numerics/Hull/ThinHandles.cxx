@@ -1,0 +1,114 @@
+#include "Hull/ThinHandles.h"
+
+#include "Base/Steps.h"
+#include "Hull/GridSolid.h"
+#include "Hull/SolidRepair.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace conformal
+{
+namespace
+{
+// Connected components of the difference between two sets.
+std::vector<std::vector<int>> piecesBetween(const FreudenthalGrid& grid,
+  const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after)
+{
+  constexpr std::uint8_t unseen = 1, seen = 2;
+  std::vector<std::uint8_t> marks(before.size());
+  for (std::size_t node = 0; node < marks.size(); ++node)
+  {
+    marks[node] = before[node] != after[node] ? unseen : 0;
+  }
+  std::vector<std::vector<int>> pieces;
+  for (int node = 0; node < static_cast<int>(marks.size()); ++node)
+  {
+    if (marks[node] == unseen)
+    {
+      pieces.emplace_back();
+      markPiece(grid, marks, node, seen, pieces.back());
+    }
+  }
+  return pieces;
+}
+
+// Change the nodes of those pieces that are to be changed, if the change removes a handle.
+// @return number of changed nodes
+Index change(const FreudenthalGrid& grid, const std::vector<std::vector<int>>& pieces,
+  const std::function<bool(const std::vector<int>&)>& isNoise, std::vector<std::uint8_t>& inside)
+{
+  Index count = 0;
+  const auto flip = [&](const std::vector<int>& nodes)
+  {
+    for (const int node : nodes)
+    {
+      inside[node] = !inside[node];
+    }
+  };
+  for (const std::vector<int>& piece : pieces)
+  {
+    if (!isNoise(piece))
+    {
+      continue;
+    }
+    const Index before = eulerNumberAround(grid, inside, piece);
+    flip(piece);
+    if (eulerNumberAround(grid, inside, piece) > before)
+    {
+      count += static_cast<Index>(piece.size());
+    }
+    else
+    {
+      flip(piece);
+    }
+  }
+  return count;
+}
+}
+
+//------------------------------------------------------------------------------
+double widthOfPiece(const std::vector<int>& nodes, const std::vector<float>& distances)
+{
+  float maximum = 0.0F;
+  for (const int node : nodes)
+  {
+    maximum = std::max(maximum, distances[node]);
+  }
+  return 2.0 * maximum;
+}
+
+//------------------------------------------------------------------------------
+ThinHandles removeThinHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
+  const std::vector<float>& distances, double offset, double width, const Run& run)
+{
+  Steps steps(run, { 0.5, 0.5 }); // fillings, cuts
+  ThinHandles result;
+  {
+    // Among nodes at equal distance from the solid, those far from the data are filled last.
+    std::vector<float> values(distances.size());
+    std::transform(distances.begin(), distances.end(), values.begin(),
+      [](float distance) { return 0.5F / (1.0F + std::max(0.0F, distance)); });
+    std::vector<std::uint8_t> filled = inside;
+    fillHandles(grid, filled, values, steps.next());
+    result.NumberOfFilledNodes = change(
+      grid, piecesBetween(grid, inside, filled),
+      [&](const std::vector<int>& piece) { return widthOfPiece(piece, distances) < width; },
+      inside);
+  }
+  std::vector<std::uint8_t> cut = inside;
+  cutHandles(grid, cut, distances, offset, HandleCut::HalfWay, steps.next());
+  result.NumberOfCutNodes = change(
+    grid, piecesBetween(grid, inside, cut),
+    [&](const std::vector<int>& piece)
+    {
+      const double own = widthOfPiece(piece, distances);
+      return own < width || own <= 2.0 * offset;
+    },
+    inside);
+  keepLargestPiece(grid, inside);
+  fillCavities(grid, inside);
+  run.report(1.0);
+  return result;
+}
+}
