@@ -143,10 +143,10 @@ conformal::Points ToSpherePositions(vtkPolyData* surface)
   vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
   if (!array)
   {
-    throw std::invalid_argument("the surface has no point array " + name +
-      (surface->GetPointData()->HasArray(TorusPositionName())
-          ? ": it is mapped to a flat torus, and this filter needs a map to the sphere"
-          : ""));
+    const std::string why = surface->GetPointData()->HasArray(TorusPositionName())
+      ? ": it is mapped to a flat torus, and this filter needs a map to the sphere"
+      : "; only a surface without handles can have it";
+    throw std::invalid_argument("the surface has no point array " + name + why);
   }
   conformal::Points positions;
   ReadSpherePositions(array, positions);
