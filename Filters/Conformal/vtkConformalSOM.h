@@ -470,10 +470,11 @@ public:
    *
    * AS_FOUND needs an adaptive mesh, see MeshType, that is not learned from the sphere, see
    * StartingShape. Learning starts from a hull, as vtkGenusZeroHull makes it. Handles are kept if
-   * the handle and its opening are wider than about twice an edge of the mesh, and than 5 % of the
-   * largest distance of a point from the middle of the points. "NumberOfHandles" is the result. If
-   * a handle is missing, use more neurons. If noise or sparse points make handles that the object
-   * does not have, use fewer neurons.
+   * the handle and its opening are wider than about twice an edge of the mesh, than 5 % of the
+   * largest distance of a point from the middle of the points, and than 4 times the distance
+   * between neighboring points. "NumberOfHandles" is the result. If a handle is missing, use more
+   * neurons. If noise or sparse points make handles that the object does not have, use fewer
+   * neurons.
    */
   vtkSetClampMacro(Genus, int, ZERO, AS_FOUND);
   vtkGetMacro(Genus, int);

@@ -195,10 +195,11 @@ public:
 
   ///@{
   /**
-   * Minimum width of a handle that is kept, and of the opening of the handle, in units of the grid
-   * spacing. Used if Genus is AS_FOUND. Thinner handles are cut, and narrower openings are filled.
-   * Increase the value if "NumberOfHandles" is larger than the number of handles of the object.
-   * Decrease the value, or Spacing, if a handle is missing. In [0, 1000]. Default is 4.
+   * Minimum width of a handle that is kept, and of the opening of the handle. The unit is the grid
+   * spacing, or the mean distance between neighboring points if it is larger. Used if Genus is
+   * AS_FOUND. Thinner handles are cut, and narrower openings are filled. Increase the value if
+   * "NumberOfHandles" is larger than the number of handles of the object. Decrease the value, or
+   * Spacing, if a handle is missing. In [0, 1000]. Default is 4.
    *
    * The width of a handle is twice the largest distance between the points and a node in its
    * narrowest cross section. The width of an opening is defined in the same way. If Method is

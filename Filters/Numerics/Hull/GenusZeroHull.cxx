@@ -149,8 +149,9 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   const Run cutting = steps.next();
   if (result.EulerNumber != 1 && options.Genus == HullGenus::AsFound)
   {
+    const double width = options.HandleWidth * spacingOfData(distances, samples.totalSize());
     const ThinHandles removed =
-      removeThinHandles(grid, inside, distances, options.Offset, options.HandleWidth, cutting);
+      removeThinHandles(grid, inside, distances, options.Offset, width, cutting);
     result.NumberOfCutNodes = removed.NumberOfCutNodes + removed.NumberOfFilledNodes;
     result.NumberOfHandles = 1 - eulerNumber(grid, inside);
   }

@@ -46,8 +46,9 @@ struct GenusZeroHullOptions
   /// `persistence` of findOutside(). Used by method Distance.
   double Persistence = 1.5;
   HullGenus Genus = HullGenus::Zero;
-  /// Minimum width of handles and of their openings that are kept, in grid spacings. Used if Genus
-  /// is AsFound.
+  /// Minimum width of handles and of their openings that are kept. The unit is the grid spacing, or
+  /// the mean spacing of the samples if it is larger, see spacingOfData(). Used if Genus is
+  /// AsFound.
   double HandleWidth = 4.0;
   int SmoothingPasses = 10; ///< number of smoothing passes over the surface, at least 0
 };

@@ -186,8 +186,9 @@ public:
     if (handleWidth != RemoveAllHandles && solid.EulerNumber < 1)
     {
       distances = distanceToSamples(solid.Grid, samples, run.unwatched());
-      isKept = [&](const std::vector<int>& nodes)
-      { return widthOfPiece(nodes, distances) >= handleWidth; };
+      const double width = handleWidth * spacingOfData(distances, samples.totalSize());
+      isKept = [&distances, width](const std::vector<int>& nodes)
+      { return widthOfPiece(nodes, distances) >= width; };
     }
     solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, isKept, run.part(0.5, 1.0));
     if (std::count(solid.Inside.begin(), solid.Inside.end(), 1) == 0)

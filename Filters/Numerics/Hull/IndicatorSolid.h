@@ -55,8 +55,8 @@ constexpr double RemoveAllHandles = -1.0;
 ///
 /// @param[in] samples  samples of affine rank 3: samples that do not lie in one plane
 /// @param[in] spacing  grid spacing, divided by the largest distance of a sample from the origin
-/// @param[in] handleWidth  minimum width of handles and of their openings that are kept [grid
-///   spacings], see widthOfPiece() in ThinHandles.h; RemoveAllHandles to keep none
+/// @param[in] handleWidth  minimum width of handles and of their openings that are kept, in the
+///   unit of GenusZeroHullOptions::HandleWidth; RemoveAllHandles to keep none
 /// @return the solid; IndicatorSolid::Inside is empty if there are too few points or no inside
 ///   nodes
 /// @throws std::invalid_argument if the grid would have more than MaximumNumberOfNodes

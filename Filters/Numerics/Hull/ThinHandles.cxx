@@ -5,6 +5,7 @@
 #include "Hull/SolidRepair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace conformal
@@ -79,33 +80,39 @@ double widthOfPiece(const std::vector<int>& nodes, const std::vector<float>& dis
 }
 
 //------------------------------------------------------------------------------
+double spacingOfData(const std::vector<float>& distances, Index numberOfSamples)
+{
+  constexpr double reach = 2.0; // of the nodes on both sides of the data [grid spacings]
+  const auto count = std::count_if(
+    distances.begin(), distances.end(), [](float distance) { return distance <= reach; });
+  const double area = static_cast<double>(count) / (2.0 * reach);
+  return std::max(1.0, std::sqrt(area / static_cast<double>(std::max<Index>(1, numberOfSamples))));
+}
+
+//------------------------------------------------------------------------------
 ThinHandles removeThinHandles(const FreudenthalGrid& grid, std::vector<std::uint8_t>& inside,
   const std::vector<float>& distances, double offset, double width, const Run& run)
 {
-  Steps steps(run, { 0.5, 0.5 }); // fillings, cuts
+  Steps steps(run, { 0.3, 0.3, 0.2, 0.2 }); // fillings and cuts of two rounds
   ThinHandles result;
+  // Among nodes at equal distance from the solid, those far from the data are filled last.
+  std::vector<float> values(distances.size());
+  std::transform(distances.begin(), distances.end(), values.begin(),
+    [](float distance) { return 0.5F / (1.0F + std::max(0.0F, distance)); });
+  const auto isNarrow = [&](const std::vector<int>& piece)
+  { return widthOfPiece(piece, distances) < width; };
+  const auto isThin = [&](const std::vector<int>& piece)
+  { return isNarrow(piece) || widthOfPiece(piece, distances) <= 2.0 * offset; };
+  for (const HandleCut place : { HandleCut::HalfWay, HandleCut::FarFromData })
   {
-    // Among nodes at equal distance from the solid, those far from the data are filled last.
-    std::vector<float> values(distances.size());
-    std::transform(distances.begin(), distances.end(), values.begin(),
-      [](float distance) { return 0.5F / (1.0F + std::max(0.0F, distance)); });
-    std::vector<std::uint8_t> filled = inside;
-    fillHandles(grid, filled, values, steps.next());
-    result.NumberOfFilledNodes = change(
-      grid, piecesBetween(grid, inside, filled),
-      [&](const std::vector<int>& piece) { return widthOfPiece(piece, distances) < width; },
-      inside);
+    std::vector<std::uint8_t> changed = inside;
+    fillHandles(grid, changed, values, steps.next());
+    result.NumberOfFilledNodes +=
+      change(grid, piecesBetween(grid, inside, changed), isNarrow, inside);
+    changed = inside;
+    cutHandles(grid, changed, distances, offset, place, steps.next());
+    result.NumberOfCutNodes += change(grid, piecesBetween(grid, inside, changed), isThin, inside);
   }
-  std::vector<std::uint8_t> cut = inside;
-  cutHandles(grid, cut, distances, offset, HandleCut::HalfWay, steps.next());
-  result.NumberOfCutNodes = change(
-    grid, piecesBetween(grid, inside, cut),
-    [&](const std::vector<int>& piece)
-    {
-      const double own = widthOfPiece(piece, distances);
-      return own < width || own <= 2.0 * offset;
-    },
-    inside);
   keepLargestPiece(grid, inside);
   fillCavities(grid, inside);
   run.report(1.0);

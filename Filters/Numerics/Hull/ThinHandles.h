@@ -27,6 +27,11 @@ struct ThinHandles
 /// @param[in] distances  distance of each node to the data
 double widthOfPiece(const std::vector<int>& nodes, const std::vector<float>& distances);
 
+/// Estimate the mean distance between neighboring samples, in grid spacings. The area of the data
+/// is estimated by the number of nodes near data. The result is at least 1, and at most about 3.
+/// @param[in] distances  distance of each node to the data [grid spacings]
+double spacingOfData(const std::vector<float>& distances, Index numberOfSamples);
+
 /// Remove narrow openings and thin handles from a solid, a set of nodes, until the remaining
 /// handles and openings have at least a given width.
 ///

@@ -55,7 +55,7 @@ TEST(ThinHandles, KeepsHandlesThatAreWide)
   const Solid before([](const Vector3& x) { return ring(x, 11.0, 4.0); });
   ASSERT_EQ(eulerNumber(before.Grid, before.Inside), 0);
   Marks inside = before.Inside;
-  const ThinHandles kept = removeThinHandles(before.Grid, inside, before.Distances, 1.0, 7.5);
+  const ThinHandles kept = removeThinHandles(before.Grid, inside, before.Distances, 1.0, 7.0);
   EXPECT_EQ(kept.NumberOfCutNodes + kept.NumberOfFilledNodes, 0);
   EXPECT_EQ(inside, before.Inside);
 }
@@ -117,4 +117,14 @@ TEST(ThinHandles, DistinguishesHandles)
   EXPECT_EQ(eulerNumber(before.Grid, inside), 0);
   const int wide = before.Grid.node(Middle - 16, Middle, Middle);
   EXPECT_EQ(inside[wide], 1);
+}
+
+// Samples at a distance of 2 grid spacings on a plane, and samples that are denser than the grid.
+TEST(ThinHandles, EstimatesTheSpacingOfSamples)
+{
+  const Solid plane([](const Vector3& x) { return x[2]; });
+  constexpr int side = 2 * Middle + 1;
+  EXPECT_NEAR(conformal::spacingOfData(plane.Distances, side * side / 4), 2.0, 0.3);
+  EXPECT_EQ(conformal::spacingOfData(plane.Distances, 100 * side * side), 1.0);
+  EXPECT_EQ(conformal::spacingOfData(std::vector<float>(9, 5.0F), 0), 1.0);
 }
