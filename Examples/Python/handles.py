@@ -33,14 +33,15 @@ def arguments():
     parser.add_argument("--body", choices=BODIES, default="mug", help="default mug")
     parser.add_argument("--points", type=int, default=40000, help="number of points, default 40000")
     parser.add_argument("--noise", type=float, default=0.003, help="of the points, default 0.003")
+    parser.add_argument("--neurons", type=int, default=8000, help="points of the surface, default 8000")
     parser.add_argument("--repeats", type=int, default=8, help="copies of the image along the first period, default 8")
     parser.add_argument("--output", metavar="FILE", help="surface with texture coordinates, .vtp")
     parser.add_argument("--picture", metavar="FILE", help="PNG or JPEG")
     args = parser.parse_args()
     if args.picture and not pictures.can_draw():
         parser.error("--picture needs a display: put xvfb-run before the command")
-    if args.points < 1000 or args.repeats < 1:
-        parser.error("--points must be at least 1000, and --repeats at least 1")
+    if args.points < 1000 or args.neurons < 100 or args.repeats < 1:
+        parser.error("--points must be at least 1000, --neurons at least 100, and --repeats at least 1")
     return args
 
 
@@ -78,7 +79,7 @@ def main():
         vtkConformalSOM(), vtkGlobalConformalMap(), vtkTorusTextureMap(), vtkPolyDataNormals())
     learner.SetInputData(cloud)
     learner.SetGenusToAsFound()
-    learner.SetNumberOfNeurons(8000)
+    learner.SetNumberOfNeurons(args.neurons)
     steps.run("Learn a surface with its handles", learner)
     normals.SetInputConnection(learner.GetOutputPort())
     normals.SplittingOff()

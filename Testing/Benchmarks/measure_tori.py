@@ -137,7 +137,7 @@ def print_bodies():
         whole = scaled_to_one(handle_bodies.surface_of(body))
         x, triangles = points_of(whole), triangles_of(whole)
         test = sampled(x, triangles, 20000, 8)
-        for count, noise in ((40000, 0.0), (40000, 0.01), (10000, 0.0)):
+        for count, noise in ((40000, 0.0), (40000, 0.01)):
             cloud = cloud_of(sampled(x, triangles, count, 3)
                              + noise * np.random.default_rng(2).standard_normal((count, 3)))
             hull = conformalsom.vtkGenusZeroHull()
