@@ -103,15 +103,27 @@ ThinHandles removeThinHandles(const FreudenthalGrid& grid, std::vector<std::uint
   { return widthOfPiece(piece, distances) < width; };
   const auto isThin = [&](const std::vector<int>& piece)
   { return isNarrow(piece) || widthOfPiece(piece, distances) <= 2.0 * offset; };
-  for (const HandleCut place : { HandleCut::HalfWay, HandleCut::FarFromData })
+  // In the second round, the ball of cutHandles() begins with the wide cuts of the first round, so
+  // that cuts are at other positions.
+  constexpr float first = 1e6F;
+  std::vector<float> depths = distances;
+  for (int round = 0; round < 2; ++round)
   {
     std::vector<std::uint8_t> changed = inside;
     fillHandles(grid, changed, values, steps.next());
     result.NumberOfFilledNodes +=
       change(grid, piecesBetween(grid, inside, changed), isNarrow, inside);
     changed = inside;
-    cutHandles(grid, changed, distances, offset, place, steps.next());
-    result.NumberOfCutNodes += change(grid, piecesBetween(grid, inside, changed), isThin, inside);
+    cutHandles(grid, changed, depths, offset, HandleCut::HalfWay, steps.next());
+    const std::vector<std::vector<int>> pieces = piecesBetween(grid, inside, changed);
+    result.NumberOfCutNodes += change(grid, pieces, isThin, inside);
+    for (const std::vector<int>& piece : pieces)
+    {
+      for (const int node : piece)
+      {
+        depths[node] += inside[node] ? first : 0.0F;
+      }
+    }
   }
   keepLargestPiece(grid, inside);
   fillCavities(grid, inside);
