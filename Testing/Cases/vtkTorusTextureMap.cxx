@@ -32,6 +32,7 @@ Case TorusTextureMap()
   Mode texture = { "", { Good() }, Set<F>([](F* f) { f->SetInputData(MappedRing(1.0, 1)); }) };
   texture.Properties = { Vector2<F, int>("Repeats", &F::SetRepeats) };
   all.Modes = { texture };
+  all.HasOwnInputs = true;
   all.Scaled = { Scaled<F>(
     "LaysAnImage", [](F* f, double scale) { f->SetInputData(MappedRing(scale)); }) };
   all.Progress = { Run<F>("ring", []() { return MappedRing(1.0, 90); }) };

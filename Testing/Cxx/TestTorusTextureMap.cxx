@@ -128,6 +128,8 @@ TEST_F(TorusTextureMap, RefusesWhatItCannotUse)
   wide->Fill(0.0);
   this->Surface->GetPointData()->AddArray(wide);
   this->ExpectRefused("TorusPosition must have 2 components, not 3");
+  wide->SetNumberOfTuples(959);
+  this->ExpectRefused("the point array \"TorusPosition\"");
   this->Surface->GetPointData()->RemoveArray("TorusPosition");
   this->ExpectRefused("the surface has no point array TorusPosition; vtkGlobalConformalMap");
 }
