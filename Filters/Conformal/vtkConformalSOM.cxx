@@ -51,6 +51,7 @@ conformal::ConformalSOMOptions OptionsOf(
   options.TrainingMode = static_cast<conformal::TrainingMode>(self->GetTrainingMode());
   options.StartingShape = static_cast<conformal::StartingShape>(self->GetStartingShape());
   options.HullMethod = static_cast<conformal::HullMethod>(self->GetHullMethod());
+  options.Genus = static_cast<conformal::HullGenus>(self->GetGenus());
   options.ReferencePoint = static_cast<conformal::ReferencePoint>(self->GetReferencePoint());
   options.RandomSeed = static_cast<unsigned int>(self->GetRandomSeed());
   options.Online.NumberOfEpochs = self->GetNumberOfEpochs();
@@ -401,14 +402,18 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   using glue::AddNumber;
   AddNumber(data, "AffineRank", static_cast<long long>(samples.dimension()));
   AddNumber(data, "UnsupportedFraction", result.UnsupportedFraction);
+  AddNumber(data, "NumberOfHandles", static_cast<long long>(result.NumberOfHandles));
   AddNumber(data, "NumberOfBorders", static_cast<long long>(result.NumberOfBorders));
   AddNumber(data, "OpenFraction", result.OpenFraction);
   AddNumber(data, "NumberOfOutliers", static_cast<long long>(result.NumberOfOutliers));
   AddNumber(data, "UncoveredFraction", result.Quality.UncoveredFraction);
   AddNumber(data, "InvertedFraction", result.Quality.InvertedFraction);
   AddNumber(data, "FoldedFraction", result.Quality.FoldedFraction);
-  AddNumber(data, "MeanQuasiConformalError", result.MeanQuasiConformalError);
-  AddNumber(data, "MaximumQuasiConformalError", result.MaximumQuasiConformalError);
+  if (result.NumberOfHandles == 0)
+  {
+    AddNumber(data, "MeanQuasiConformalError", result.MeanQuasiConformalError);
+    AddNumber(data, "MaximumQuasiConformalError", result.MaximumQuasiConformalError);
+  }
   AddNumber(data, "SelfIntersections", static_cast<long long>(result.SelfIntersections));
   AddNumber(data, "AreaRatio", result.AreaRatio);
   AddNumber(data, "UndersampledFraction", result.Quality.UndersampledFraction);
@@ -447,7 +452,10 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
 {
   vtkNew<vtkPolyData> surface;
   glue::SetSurface(surface, result.Positions, result.Triangles, frame);
-  glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
+  if (result.NumberOfHandles == 0)
+  {
+    glue::AddVectors(surface->GetPointData(), glue::SpherePositionName(), result.SpherePositions);
+  }
   glue::AddNumbers(surface->GetPointData(), "Supported", result.Supported);
   if (!result.StandardError.empty())
   {
@@ -619,6 +627,7 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "StartingShape: " << shapes[this->StartingShape] << "\n";
   os << indent << "HullMethod: " << methods[this->HullMethod] << "\n";
+  os << indent << "Genus: " << (this->Genus == AS_FOUND ? "AsFound" : "Zero") << "\n";
   static const char* const borders[] = { "Automatic", "Closed", "Open" };
   os << indent << "Border: " << borders[this->Border] << "\n";
   os << indent << "HoleSize: " << this->HoleSize << "\n";

@@ -54,6 +54,8 @@
  * - field data "UnsupportedFraction" (1 value): fraction of the mesh's area without input points
  *   nearby. This area consists of hole fillings, and of webs (spurious membranes) between limbs. If
  *   TrainingMode is ONLINE, the value is 0.
+ * - field data "NumberOfHandles" (1 value): number of handles of the mesh, see the property Genus.
+ *   If the value is above 0, the mesh has no "SpherePosition", and no field data of the map.
  * - field data "NumberOfBorders" (1 value): number of borders of the mesh; 0 if the mesh is closed,
  *   see the property Border.
  * - field data "OpenFraction" (1 value): fraction of the area of the closed mesh that was removed
@@ -208,6 +210,12 @@ public:
     AUTOMATIC_METHOD = 0,
     DISTANCE = 1,
     WINDING_NUMBERS = 2
+  };
+
+  enum Genera
+  {
+    ZERO = 0,
+    AS_FOUND = 1
   };
 
   enum Borders
@@ -454,6 +462,28 @@ public:
 
   ///@{
   /**
+   * Genus (number of handles) of the mesh. ZERO (default): the mesh has no handles, and a map to
+   * the sphere. AS_FOUND: an adaptive mesh keeps the handles of the object, such as that of a mug.
+   * If it has handles, the mesh is closed, whatever the Border, and has no array "SpherePosition".
+   * Filters that need a map to the sphere report an error. A mesh with one handle is mapped to a
+   * flat torus by vtkGlobalConformalMap.
+   *
+   * AS_FOUND needs an adaptive mesh, see MeshType, that is not learned from the sphere, see
+   * StartingShape. Learning starts from a hull, as vtkGenusZeroHull makes it. Handles are kept if
+   * the handle and its opening are wider than about twice an edge of the mesh, than 5 % of the
+   * largest distance of a point from the middle of the points, and than 4 times the distance
+   * between neighboring points. "NumberOfHandles" is the result. If a handle is missing, use more
+   * neurons. If noise or sparse points make handles that the object does not have, use fewer
+   * neurons.
+   */
+  vtkSetClampMacro(Genus, int, ZERO, AS_FOUND);
+  vtkGetMacro(Genus, int);
+  void SetGenusToZero() { this->SetGenus(ZERO); }
+  void SetGenusToAsFound() { this->SetGenus(AS_FOUND); }
+  ///@}
+
+  ///@{
+  /**
    * Whether the mesh has a border. CLOSED: the mesh is closed; parts without points are filled.
    * OPEN: the mesh is a sheet, which ends where the points end, with a smooth border. The largest
    * part without points is left open. For other parts, see HoleSize. AUTOMATIC_BORDER (default):
@@ -583,6 +613,7 @@ private:
   double Smoothness = 1.0;
   int StartingShape = AUTOMATIC;
   int HullMethod = AUTOMATIC_METHOD;
+  int Genus = ZERO;
   int Border = AUTOMATIC_BORDER;
   double HoleSize = 0.0;
   int RemoveGround = AUTOMATIC_GROUND;

@@ -33,6 +33,8 @@ conformal::GenusZeroHullOptions OptionsOf(vtkGenusZeroHull* self)
   options.Spacing = self->GetSpacing();
   options.Offset = self->GetOffset();
   options.Persistence = self->GetPersistence();
+  options.Genus = static_cast<conformal::HullGenus>(self->GetGenus());
+  options.HandleWidth = self->GetHandleWidth();
   options.SmoothingPasses = self->GetSmoothingPasses();
   return options;
 }
@@ -104,6 +106,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   addLength("GridSpacing", hull.Spacing);
   AddNumber(data, "NumberOfInsideNodes", static_cast<long long>(hull.NumberOfInsideNodes));
   AddNumber(data, "SolidEulerNumber", static_cast<long long>(hull.EulerNumber));
+  AddNumber(data, "NumberOfHandles", static_cast<long long>(hull.NumberOfHandles));
   AddNumber(data, "NumberOfCutNodes", static_cast<long long>(hull.NumberOfCutNodes));
   addLength("HoleWidth", hull.LargestHole.Saddle);
   addLength("HoleDepth", hull.LargestHole.Peak);
@@ -195,6 +198,8 @@ void vtkGenusZeroHull::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Spacing: " << this->Spacing << "\n";
   os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "Persistence: " << this->Persistence << "\n";
+  os << indent << "Genus: " << (this->Genus == AS_FOUND ? "AsFound" : "Zero") << "\n";
+  os << indent << "HandleWidth: " << this->HandleWidth << "\n";
   os << indent << "SmoothingPasses: " << this->SmoothingPasses << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "On" : "Off") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";

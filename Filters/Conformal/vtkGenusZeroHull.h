@@ -5,7 +5,8 @@
  * Make a closed triangle mesh without handles (like that of a cup) around scattered points. The
  * mesh closes holes in the data. It has no webs (spurious membranes) between limbs, the long, thin
  * parts of the object. The field data hold the size of the largest hole, and the number of points
- * outside of the mesh. Further field data count the handles that were cut.
+ * outside of the mesh. Further field data count the handles that were cut. Optionally, the mesh
+ * keeps the handles of the object, see Genus.
  *
  * Input port 0: vtkPointSet, points in any sequence. Points with non-finite coordinates are left
  * out with a warning, and hidden or duplicate ghost points without a warning. Cells and normals are
@@ -14,12 +15,13 @@
  * points are outside of a hull by winding numbers. The array is a point array with the position of
  * each point's scanner, or a field array with one position for all points.
  *
- * Output port 0: vtkPolyData, the hull: a closed triangle mesh of genus zero around the points, in
- * the coordinates of the input, double precision. Triangles are counter-clockwise seen from
- * outside. The filter classifies each node of a regular grid as inside or outside of the points.
- * The hull is the boundary of the set of inside nodes. If DistributeOutput is on, the point array
- * "GlobalPointIds" and the cell array "GlobalCellIds" (vtkIdType) are the active global ids. Field
- * data (one value each; lengths in units of the coordinates):
+ * Output port 0: vtkPolyData, the hull: a closed triangle mesh around the points, of genus zero
+ * unless Genus is AS_FOUND, in the coordinates of the input, double precision. Triangles are
+ * counter-clockwise seen from outside. The filter classifies each node of a regular grid as inside
+ * or outside of the points. The hull is the boundary of the set of inside nodes. If
+ * DistributeOutput is on, the point array "GlobalPointIds" and the cell array "GlobalCellIds"
+ * (vtkIdType) are the active global ids. Field data (one value each; lengths in units of the
+ * coordinates):
  * - "AffineRank" (idtype): dimension of the space that the points span: 3 in general, 2 for points
  *   in a plane, 1 for points on a line, 0 for equal points.
  * - "Method" (idtype): value of the property Method by which this hull was made, DISTANCE or
@@ -36,6 +38,7 @@
  *   nothing.
  * - "SolidEulerNumber" (idtype): Euler number of the solid inside the hull before its handles were
  *   cut: 1 minus the number of handles.
+ * - "NumberOfHandles" (idtype): number of handles of the hull; 0 unless Genus is AS_FOUND.
  * - "NumberOfCutNodes" (idtype): number of grid nodes removed from the solid to cut handles, or
  *   added to the solid to fill the openings of handles.
  * - "HoleWidth", "HoleDepth" (double): size of the largest hole in the data that was closed.
@@ -102,6 +105,12 @@ public:
     AUTOMATIC = 0,
     DISTANCE = 1,
     WINDING_NUMBERS = 2
+  };
+
+  enum Genera
+  {
+    ZERO = 0,
+    AS_FOUND = 1
   };
 
   ///@{
@@ -173,6 +182,36 @@ public:
 
   ///@{
   /**
+   * Genus (number of handles) of the hull. ZERO (default): all handles are removed, so that the
+   * hull can be mapped to the sphere. AS_FOUND: handles of the object are kept, if they are at
+   * least as wide as HandleWidth. A hull with one handle is mapped to a flat torus by
+   * vtkGlobalConformalMap. There is no map of a hull with several handles.
+   */
+  vtkSetClampMacro(Genus, int, ZERO, AS_FOUND);
+  vtkGetMacro(Genus, int);
+  void SetGenusToZero() { this->SetGenus(ZERO); }
+  void SetGenusToAsFound() { this->SetGenus(AS_FOUND); }
+  ///@}
+
+  ///@{
+  /**
+   * Minimum width of a handle that is kept, and of the opening of the handle. The unit is the grid
+   * spacing, or the mean distance between neighboring points if it is larger. Used if Genus is
+   * AS_FOUND. Thinner handles are cut, and narrower openings are filled. Increase the value if
+   * "NumberOfHandles" is larger than the number of handles of the object. Decrease the value, or
+   * Spacing, if a handle is missing. In [0, 1000]. Default is 4.
+   *
+   * The width of a handle is twice the largest distance between the points and a node in its
+   * narrowest cross section. The width of an opening is defined in the same way. If Method is
+   * DISTANCE, widths below twice the Offset have no effect, since limbs at this distance are
+   * joined.
+   */
+  vtkSetClampMacro(HandleWidth, double, 0.0, 1000.0);
+  vtkGetMacro(HandleWidth, double);
+  ///@}
+
+  ///@{
+  /**
    * Number of smoothing passes over the final surface. In [0, 1000]. Default is 10.
    */
   vtkSetClampMacro(SmoothingPasses, int, 0, 1000);
@@ -217,6 +256,8 @@ private:
   double Spacing = 0.016;
   double Offset = 1.0;
   double Persistence = 1.5;
+  int Genus = ZERO;
+  double HandleWidth = 4.0;
   int SmoothingPasses = 10;
   vtkMultiProcessController* Controller = nullptr;
   bool DistributeOutput = false;

@@ -7,8 +7,8 @@
 #include "Glue/Run.h"
 #include "SphereMap/GlobalConformalMap.h"
 #include "SphereMap/SheetMap.h"
+#include "TorusMap/ConformalTorusMap.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,6 +18,7 @@
 #include "vtkPolyData.h"
 
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 vtkStandardNewMacro(vtkGlobalConformalMap);
@@ -38,15 +39,19 @@ void AddFigures(vtkFieldData* data, const conformal::GlobalConformalMapResult& m
     static_cast<long long>(map.NumberOfInfiniteStringConstants));
 }
 
+void RequireRobust(const conformal::GlobalConformalMapOptions& options, const std::string& surface)
+{
+  if (options.Method != conformal::GlobalConformalMethod::Robust || options.AreaBalance > 0.0)
+  {
+    throw std::invalid_argument(surface + " is mapped only by Method ROBUST with AreaBalance 0");
+  }
+}
+
 // Map a sheet, and describe the map like that of a closed surface.
 conformal::GlobalConformalMapResult MapSheet(const conformal::Mesh& sheet,
   const conformal::GlobalConformalMapOptions& options, const conformal::Run& run)
 {
-  if (options.Method != conformal::GlobalConformalMethod::Robust || options.AreaBalance > 0.0)
-  {
-    throw std::invalid_argument("a surface with a border is mapped only by Method ROBUST with "
-                                "AreaBalance 0");
-  }
+  RequireRobust(options, "a surface with a border");
   conformal::SheetMapResult map = conformal::mapSheet(sheet, run);
   conformal::GlobalConformalMapResult result;
   result.Positions = std::move(map.Positions);
@@ -61,18 +66,52 @@ conformal::GlobalConformalMapResult MapSheet(const conformal::Mesh& sheet,
   return result;
 }
 
-void AddDiskPositions(vtkPointData* data, const conformal::Points& spherePositions)
+// Write the map of a surface of genus 1, and warn of its defects.
+void AddTorusMap(
+  vtkGlobalConformalMap* self, const conformal::ConformalTorusMapResult& map, vtkPolyData* output)
 {
-  const auto disk = conformal::diskPositions(spherePositions);
-  const vtkNew<vtkDoubleArray> array;
-  array->SetName("DiskPosition");
-  array->SetNumberOfComponents(2);
-  array->SetNumberOfTuples(disk.rows());
-  for (conformal::Index i = 0; i < disk.size(); ++i)
+  using glue::AddNumber;
+  glue::AddPlanePositions(output->GetPointData(), glue::TorusPositionName(), map.Positions);
+  output->GetPointData()->RemoveArray(glue::SpherePositionName());
+  vtkFieldData* data = output->GetFieldData();
+  const double modulus[] = { map.Torus.Modulus.real(), map.Torus.Modulus.imag() };
+  glue::AddTuple(data, "TorusModulus", modulus, 2);
+  AddNumber(data, "Energy", map.Energy);
+  AddNumber(data, "NumberOfIterations", static_cast<long long>(map.NumberOfSolves));
+  AddNumber(data, "Converged", static_cast<long long>(map.NumberOfFlippedTriangles == 0));
+  AddNumber(data, "NumberOfFlippedTriangles", static_cast<long long>(map.NumberOfFlippedTriangles));
+  AddNumber(data, "NumberOfNegativeStringConstants",
+    static_cast<long long>(map.NumberOfNegativeStringConstants));
+  AddNumber(data, "NumberOfInfiniteStringConstants",
+    static_cast<long long>(map.NumberOfInfiniteStringConstants));
+  AddNumber(data, "MeanQuasiConformalError", map.MeanQuasiConformalError);
+  AddNumber(data, "QuasiConformalError95", map.QuasiConformalError95);
+  constexpr double farFromConformal = 1.5;
+  if (map.NumberOfInfiniteStringConstants > 0)
   {
-    array->SetValue(i, disk.data()[i]);
+    vtkWarningWithObjectMacro(self, << map.NumberOfInfiniteStringConstants
+                                    << " edges belong to triangles without area; they are mapped "
+                                       "as if they had a small area");
   }
-  data->AddArray(array);
+  if (map.NumberOfFlippedTriangles > 0)
+  {
+    vtkWarningWithObjectMacro(self, << map.NumberOfFlippedTriangles << " triangles are flipped on "
+                                    << "the torus: parts of the surface are too small on it");
+  }
+  if (map.MeanQuasiConformalError > farFromConformal)
+  {
+    vtkWarningWithObjectMacro(self, << "the map to the torus is far from conformal: lengths in a "
+                                       "triangle are scaled by factors of mean ratio "
+                                    << map.MeanQuasiConformalError
+                                    << "; the triangles are too large or too thin");
+  }
+}
+
+conformal::ConformalTorusMapResult MapTorus(const conformal::Mesh& surface,
+  const conformal::GlobalConformalMapOptions& options, const conformal::Run& run)
+{
+  RequireRobust(options, "a surface of genus 1");
+  return conformal::mapToTorus(surface, run);
 }
 
 void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResult& map)
@@ -96,6 +135,27 @@ void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResu
     vtkWarningWithObjectMacro(
       self, << "the map has not converged in " << map.NumberOfIterations << " iterations");
   }
+}
+
+// Write the map of a surface of genus zero, or of a sheet, and warn of its defects.
+void AddSphereMap(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResult& map,
+  int numberOfBorders, vtkPolyData* output)
+{
+  glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map.Positions);
+  output->GetPointData()->RemoveArray(glue::TorusPositionName());
+  if (numberOfBorders > 0)
+  {
+    glue::AddPlanePositions(
+      output->GetPointData(), "DiskPosition", conformal::diskPositions(map.Positions));
+  }
+  if (numberOfBorders > 1)
+  {
+    vtkWarningWithObjectMacro(self, << "the surface has " << numberOfBorders << " borders; the "
+                                    << "longest is mapped to the circle, and the others are mapped "
+                                    << "as holes inside");
+  }
+  AddFigures(output->GetFieldData(), map);
+  WarnOf(self, map);
 }
 }
 
@@ -121,25 +181,22 @@ int vtkGlobalConformalMap::RequestData(
       // Relative costs of mesh, map and output.
       conformal::Steps steps(glue::RunOf(this), { 0.08, 0.91, 0.01 });
       const auto mesh =
-        glue::ToClosedMesh(this, surface, frame, steps.next(), glue::Topology::ClosedOrSheet);
+        glue::ToClosedMesh(this, surface, frame, steps.next(), glue::Topology::Mappable);
       const conformal::Mesh outward = glue::Outward(mesh);
+      if (mesh.NumberOfHandles > 0)
+      {
+        const conformal::ConformalTorusMapResult map = MapTorus(outward, options, steps.next());
+        steps.next();
+        glue::PassClosedMesh(surface, mesh, frame, output);
+        AddTorusMap(this, map, output);
+        return;
+      }
       const conformal::GlobalConformalMapResult map = mesh.NumberOfBorders > 0
         ? MapSheet(outward, options, steps.next())
         : conformal::globalConformalMap(outward, options, steps.next());
       steps.next();
       glue::PassClosedMesh(surface, mesh, frame, output);
-      glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map.Positions);
-      if (mesh.NumberOfBorders > 0)
-      {
-        AddDiskPositions(output->GetPointData(), map.Positions);
-      }
-      if (mesh.NumberOfBorders > 1)
-      {
-        vtkWarningMacro(<< "the surface has " << mesh.NumberOfBorders << " borders; the longest is "
-                        << "mapped to the circle, and the others are mapped as holes inside");
-      }
-      AddFigures(output->GetFieldData(), map);
-      WarnOf(this, map);
+      AddSphereMap(this, map, mesh.NumberOfBorders, output);
     });
 }
 

@@ -5,17 +5,21 @@
  * Compute, for each point of a closed triangle mesh without handles, a position on the unit sphere,
  * so that angles of triangles are preserved. The positions are the point array "SpherePosition".
  * The field data state whether the computation has converged, and the number of flipped triangles.
+ * A surface with one handle is mapped to a flat torus instead, by the array "TorusPosition".
  *
- * Input port 0: vtkPolyData, a closed surface without handles, or a sheet: a connected surface with
- * a border and without handles. Polygons and strips are treated as
+ * Input port 0: vtkPolyData, a closed surface without handles or with one handle (genus 1), or a
+ * sheet: a connected surface with a border and without handles. Polygons and strips are treated as
  * triangles. Coincident points of open edges (edges of only one triangle) are merged, triangles are
  * oriented consistently, and points that belong to no triangle are dropped. Each kind of change
  * causes a warning.
  *
  * Output port 0: the input, or only its triangles if one of the changes above was made, with
- * - point array "SpherePosition" (double, 3 components): position of the point on the unit sphere.
+ * - point array "SpherePosition" (double, 3 components): position of the point on the unit sphere;
+ * not of a surface of genus 1.
  * - point array "DiskPosition" (double, 2 components), only of a sheet: position of the point in
  * the unit disk, by a conformal map. Points on the border have length 1.
+ * - point array "TorusPosition" (double, 2 components), only of a surface of genus 1: position of
+ * the point on a flat torus, in [0, 1), as fractions of the two periods.
  *
  * A sheet is mapped to the hemisphere z >= 0, with its border exactly on the equator. If there are
  * several borders, this is the longest; others are mapped as holes inside, and there is a warning.
@@ -25,12 +29,29 @@
  * Method ROBUST with AreaBalance 0. Filters for closed surfaces, such as vtkSphericalRegistration,
  * reject sheets.
  *
+ * A flat torus is a parallelogram whose opposite sides are identified. Its sides are the periods.
+ * The conformal map of a surface of genus 1 is linear in two harmonic one-forms (X. Gu, S.-T. Yau,
+ * 2003). The first period is the shortest possible. Seen from outside, the map preserves
+ * orientation. Point 0 of the surface is at position (0, 0). Further field data of a surface of
+ * genus 1:
+ * - "TorusModulus" (double, 2 components): real and imaginary part of the modulus tau, the second
+ *   period divided by the first, as complex numbers. The real part is in (-1/2, 1/2], and the
+ *   absolute value is at least 1. Two surfaces of genus 1 have a conformal map to each other only
+ * if their moduli are equal.
+ * - "MeanQuasiConformalError" (double): mean of the quasi-conformal error over the triangles, see
+ *   vtkConformalDistortion; 1 for a conformal map.
+ * - "QuasiConformalError95" (double): error that 95 % of the triangles do not exceed.
+ * There is a warning if a triangle is flipped, or if the mean error is above 1.5. Surfaces of genus
+ * 1 are mapped only by Method ROBUST with AreaBalance 0. For their texture coordinates, use
+ * vtkTorusTextureMap. Other filters need a map to the sphere, and reject them. Surfaces of genus 2
+ * or more are not mapped; vtkGenusZeroRepair removes handles.
+ *
  * The harmonic energy measures how far a map is from conformal. It is half the sum over all edges
  * of a weight times the squared length of the edge on the sphere. The weight, called the string
  * constant, is half the sum of the cotangents of the two angles opposite to the edge. Field data
  * (one value each):
  * - "Energy" (double): harmonic energy of the map; 4 pi for a conformal map (2 pi for that of a
- *   sheet), larger for any other map.
+ *   sheet, 1 for that to a torus of area 1), larger for any other map.
  * - "NumberOfIterations" (vtkIdType): number of steps if Method is GUYAU, or number of linear
  *   solves if Method is ROBUST.
  * - "Converged" (vtkIdType): 1 if no triangle is flipped. If Method is GUYAU, two more conditions
@@ -38,10 +59,10 @@
  *   infinite.
  * - "NumberOfFlippedTriangles" (vtkIdType): number of triangles that are flipped or have no area on
  *   the sphere, by exact arithmetic; of a sheet, in the disk.
- * - "SphereMapTier" (vtkIdType): number of the algorithm with which Method ROBUST succeeded. 0:
- *   linear equations were sufficient. 1: folded triangles were also repaired locally. 2: vertices
- *   were inserted one by one without folds. Algorithm 2 is used if AreaBalance is above 0, or if
- *   triangles of the conformal map are too small for double precision.
+ * - "SphereMapTier" (vtkIdType), not of a surface of genus 1: number of the algorithm with which
+ * Method ROBUST succeeded. 0: linear equations were sufficient. 1: folded triangles were also
+ * repaired locally. 2: vertices were inserted one by one without folds. Algorithm 2 is used if
+ * AreaBalance is above 0, or if triangles of the conformal map are too small for double precision.
  * - "NumberOfNegativeStringConstants" (vtkIdType): number of edges whose opposite angles add up to
  *   more than 180 degrees.
  * - "NumberOfInfiniteStringConstants" (vtkIdType): number of edges of triangles without area.
@@ -65,6 +86,7 @@
  *
  * @sa
  * vtkConformalDistortion vtkCurvedSeamlessSurface vtkSphericalAlignment vtkConformalSOM
+ * vtkTorusTextureMap
  */
 
 #ifndef vtkGlobalConformalMap_h

@@ -32,6 +32,19 @@ void RequireFinite(const double* values, conformal::Index size, const std::strin
 {
   Require(Eigen::Map<const Eigen::VectorXd>(values, size).allFinite(), what);
 }
+
+// Add the rows of a matrix as tuples.
+template <typename RowMatrix>
+void AddRows(vtkFieldData* data, const char* name, const RowMatrix& rows)
+{
+  RequireFinite(rows.data(), rows.size(), name);
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(rows.cols()));
+  array->SetNumberOfTuples(rows.rows());
+  std::copy_n(rows.data(), rows.size(), array->GetPointer(0));
+  data->AddArray(array);
+}
 }
 
 namespace glue
@@ -39,13 +52,14 @@ namespace glue
 //------------------------------------------------------------------------------
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors)
 {
-  RequireFinite(vectors.data(), vectors.size(), name);
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(vectors.rows());
-  std::copy_n(vectors.data(), vectors.size(), array->GetPointer(0));
-  data->AddArray(array);
+  AddRows(data, name, vectors);
+}
+
+//------------------------------------------------------------------------------
+void AddPlanePositions(vtkFieldData* data, const char* name,
+  const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>& positions)
+{
+  AddRows(data, name, positions);
 }
 
 //------------------------------------------------------------------------------

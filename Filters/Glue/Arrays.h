@@ -20,6 +20,11 @@ namespace glue
 /// @throws std::overflow_error if a number is not finite
 void AddVectors(vtkFieldData* data, const char* name, const conformal::Points& vectors);
 
+/// Add an array of positions in the plane: doubles with 2 components.
+/// @throws std::overflow_error if a number is not finite
+void AddPlanePositions(vtkFieldData* data, const char* name,
+  const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>& positions);
+
 /// Add an array of numbers: doubles with 1 component.
 /// @throws std::overflow_error if a number is not finite
 void AddNumbers(vtkFieldData* data, const char* name, const std::vector<double>& values);

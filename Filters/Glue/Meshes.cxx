@@ -179,7 +179,29 @@ struct Repairs
 
 bool IsAccepted(const conformal::GenusZeroReport& report, glue::Topology topology)
 {
-  return report.isGenusZero() || (topology == glue::Topology::ClosedOrSheet && report.isSheet());
+  using glue::Topology;
+  return report.isGenusZero() || (topology != Topology::Closed && report.isSheet()) ||
+    (topology == Topology::Mappable && report.numberOfHandles() == 1);
+}
+
+// State what a surface must be, what it is, and what the user can do.
+std::string RejectionOf(const conformal::GenusZeroReport& report, glue::Topology topology)
+{
+  const conformal::Index handles = report.numberOfHandles();
+  if (topology == glue::Topology::Mappable && handles > 1)
+  {
+    return "the surface has genus " + std::to_string(handles) +
+      " (number of handles); only surfaces of genus 0 are mapped to the sphere, and surfaces of "
+      "genus 1 to a flat torus. vtkGenusZeroRepair removes handles.";
+  }
+  std::string text = "the surface must be closed, manifold, in one piece and of genus zero";
+  text += (topology == glue::Topology::Mappable ? " or one" : "");
+  text += ", but it is " + Sentence(report) + ". vtkGenusZeroCheck lists all faults.";
+  if (handles > 0)
+  {
+    text += " vtkGenusZeroRepair removes handles.";
+  }
+  return text;
 }
 
 // Repair a mesh without loss. Positions and point ids of the mesh are set only if the repaired mesh
@@ -205,6 +227,7 @@ Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
     return done;
   }
   mesh.NumberOfBorders = static_cast<int>(report.NumberOfBoundaryLoops);
+  mesh.NumberOfHandles = mesh.NumberOfBorders > 0 ? 0 : static_cast<int>(report.numberOfHandles());
   if (!report.InconsistentEdges.empty())
   {
     done.Turned = conformal::orientConsistently(triangles);
@@ -302,9 +325,7 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const Repairs done = Repair(points, mesh, report, steps.next(), topology);
   if (!IsAccepted(report, topology))
   {
-    throw std::invalid_argument("the surface must be closed, manifold, in one piece and of genus "
-                                "zero, but it is " +
-      Sentence(report) + ". vtkGenusZeroCheck lists all faults.");
+    throw std::invalid_argument(RejectionOf(report, topology));
   }
   if (done.Merged > 0)
   {

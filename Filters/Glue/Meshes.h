@@ -40,13 +40,15 @@ bool HaveEqualPolygons(vtkPolyData* a, vtkPolyData* b);
 /// Which surfaces ToClosedMesh() accepts.
 enum class Topology
 {
-  Closed,       ///< closed surfaces of genus zero
-  ClosedOrSheet ///< also sheets: connected surfaces with borders and without handles
+  Closed,        ///< closed surfaces of genus zero
+  ClosedOrSheet, ///< also sheets: connected surfaces with borders and without handles
+  Mappable       ///< also sheets, and closed surfaces of genus 1
 };
 
-/// Closed surface of genus zero that satisfies the requirements of the numerical core. Positions
-/// are finite, in coordinates of the frame passed to ToClosedMesh(). Each vertex belongs to a
-/// triangle. All triangles have three distinct vertices, and consistent orientation.
+/// Closed surface of genus zero, or another surface of a Topology, that satisfies the requirements
+/// of the numerical core. Positions are finite, in coordinates of the frame passed to
+/// ToClosedMesh(). Each vertex belongs to a triangle. All triangles have three distinct vertices,
+/// and consistent orientation.
 struct ClosedMesh : conformal::Mesh
 {
   /// For each vertex, the id of its point in the source surface, the surface that was converted.
@@ -55,6 +57,7 @@ struct ClosedMesh : conformal::Mesh
   /// Outward() reverses the triangles in its copy.
   bool InsideOut = false;
   int NumberOfBorders = 0; ///< above 0 for a sheet; then InsideOut is false
+  int NumberOfHandles = 0; ///< 1 for a surface of genus 1
 };
 
 /// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired. One
@@ -70,8 +73,9 @@ struct ClosedMesh : conformal::Mesh
 ///   points from which the frame was computed.
 /// @param[in] topology  which surfaces are accepted
 /// @throws std::invalid_argument if coordinates are not finite
-/// @throws std::invalid_argument if the repaired surface is open, not manifold, disconnected, or
-///   not of genus zero. The message contains the number of defects, such as open edges.
+/// @throws std::invalid_argument if the repaired surface is not accepted, for example open, not
+///   manifold, disconnected, or not of genus zero. The message contains the number of defects, such
+///   as open edges.
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {},
   Topology topology = Topology::Closed);

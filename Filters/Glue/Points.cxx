@@ -143,7 +143,10 @@ conformal::Points ToSpherePositions(vtkPolyData* surface)
   vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
   if (!array)
   {
-    throw std::invalid_argument("the surface has no point array " + name);
+    const std::string why = surface->GetPointData()->HasArray(TorusPositionName())
+      ? ": it is mapped to a flat torus, and this filter needs a map to the sphere"
+      : "; only a surface without handles can have it";
+    throw std::invalid_argument("the surface has no point array " + name + why);
   }
   conformal::Points positions;
   ReadSpherePositions(array, positions);
@@ -166,5 +169,33 @@ bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions)
   }
   ReadSpherePositions(array, positions);
   return true;
+}
+
+//------------------------------------------------------------------------------
+conformal::TorusPositions ToTorusPositions(vtkPolyData* surface)
+{
+  vtkDataArray* array = surface->GetPointData()->GetArray(TorusPositionName());
+  if (!array)
+  {
+    throw std::invalid_argument(std::string("the surface has no point array ") +
+      TorusPositionName() + "; vtkGlobalConformalMap writes it for a surface of genus 1");
+  }
+  if (array->GetNumberOfComponents() != 2)
+  {
+    throw std::invalid_argument(std::string(TorusPositionName()) + " must have 2 components, not " +
+      std::to_string(array->GetNumberOfComponents()));
+  }
+  conformal::TorusPositions positions(array->GetNumberOfTuples(), 2);
+  for (vtkIdType i = 0; i < positions.rows(); ++i)
+  {
+    array->GetTuple(i, positions.row(i).data());
+  }
+  const auto bad = positions.rows() - positions.array().isFinite().rowwise().all().count();
+  if (bad > 0)
+  {
+    throw std::invalid_argument(std::to_string(bad) + " of " + std::to_string(positions.rows()) +
+      " positions of " + TorusPositionName() + " are not finite");
+  }
+  return positions;
 }
 }

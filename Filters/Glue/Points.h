@@ -10,6 +10,7 @@
 #include "Base/CoordinateFrame.h" // for points in a frame
 #include "Base/Reduce.h"          // for Reduce
 #include "Base/Types.h"           // for Points, PointView
+#include "TorusMap/FlatTorus.h"   // for TorusPositions
 
 #include <functional> // for GhostTest
 #include <vector>     // for the argument of FrameOf
@@ -26,6 +27,13 @@ namespace glue
 inline const char* SpherePositionName()
 {
   return "SpherePosition";
+}
+
+/// Return the name of the point array that contains a map to a flat torus. The array has 2 doubles
+/// for each point, fractions of the two periods of the torus.
+inline const char* TorusPositionName()
+{
+  return "TorusPosition";
 }
 
 /// Compute a common coordinate frame for the points of several data sets. Null pointers are
@@ -70,7 +78,7 @@ bool ToVectors(vtkDataArray* array, conformal::Points& vectors);
 /// Return a copy of the point array "SpherePosition", which maps the surface to the sphere. The
 /// copied vectors are normalized to unit length.
 /// @throws std::invalid_argument if the point array "SpherePosition" is missing, or does not have 3
-///   components
+///   components. The message is different for a surface with a map to a flat torus.
 /// @throws std::invalid_argument if a vector is zero or not finite
 conformal::Points ToSpherePositions(vtkPolyData* surface);
 
@@ -78,6 +86,11 @@ conformal::Points ToSpherePositions(vtkPolyData* surface);
 /// return false.
 /// @throws std::invalid_argument if the array does not have 3 components
 bool FindSpherePositions(vtkPolyData* surface, conformal::Points& positions);
+
+/// Return a copy of the point array "TorusPosition", which maps the surface to a flat torus.
+/// @throws std::invalid_argument if the array is missing, does not have 2 components, or has a
+///   number that is not finite
+conformal::TorusPositions ToTorusPositions(vtkPolyData* surface);
 }
 
 #endif

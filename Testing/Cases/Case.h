@@ -192,6 +192,10 @@ struct Case
 
   std::function<std::vector<Mirror>()> Mirrors = {};
 
+  /// Whether the class needs inputs that the surfaces of Inputs.h do not have, such as a map to a
+  /// torus. A test of the class then tries broken inputs.
+  bool HasOwnInputs = false;
+
   /// Whether the class is no algorithm, so that an algorithm that exists only for tests calls the
   /// class.
   bool IsProbe = false;

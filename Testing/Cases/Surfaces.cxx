@@ -1,12 +1,15 @@
 #include "Surfaces.h"
 
 #include "vtkGeodesicSphereSource.h"
+#include "vtkGlobalConformalMap.h"
 #include "vtkSphericalTextureMap.h"
 
+#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -154,6 +157,49 @@ SurfacePointer Limbs(int frequency)
       }
       return r;
     });
+}
+
+//------------------------------------------------------------------------------
+SurfacePointer Ring(double scale, int frequency)
+{
+  const int along = 10 * frequency, around = 6 * frequency;
+  const auto surface = SurfacePointer::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  const auto id = [=](int i, int j) -> vtkIdType
+  { return static_cast<vtkIdType>(i % along) * around + j % around; };
+  for (int i = 0; i < along; ++i)
+  {
+    const double s = 2.0 * vtkMath::Pi() * i / along;
+    for (int j = 0; j < around; ++j)
+    {
+      const double t = 2.0 * vtkMath::Pi() * j / around,
+                   tube = 0.4 + 0.06 * std::sin(s + 0.3) + 0.03 * std::cos(2.0 * s - t),
+                   r = 1.0 + tube * std::cos(t);
+      double p[3] = { r * std::cos(s), 0.9 * r * std::sin(s), tube * std::sin(t + 0.2) };
+      for (double& c : p)
+      {
+        c = std::round(0x1p20 * c) * 0x1p-20;
+      }
+      points->InsertNextPoint(p);
+      triangles->InsertNextCell({ id(i, j), id(i + 1, j), id(i + 1, j + 1) });
+      triangles->InsertNextCell({ id(i, j), id(i + 1, j + 1), id(i, j + 1) });
+    }
+  }
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  Scale(surface, scale);
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+SurfacePointer MappedRing(double scale, int frequency)
+{
+  vtkNew<vtkGlobalConformalMap> map;
+  map->SetInputData(Ring(scale, frequency));
+  map->Update();
+  return map->GetOutput();
 }
 
 //------------------------------------------------------------------------------

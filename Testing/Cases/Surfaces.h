@@ -41,6 +41,12 @@ SurfacePointer Head(int frequency);
 /// have long triangles on the limbs.
 SurfacePointer Limbs(int frequency);
 
+/// Return a surface of genus 1 without symmetry, with 60 f^2 points, where f is the frequency.
+SurfacePointer Ring(double scale, int frequency = 3);
+
+/// Return Ring() with its map to a flat torus.
+SurfacePointer MappedRing(double scale, int frequency = 3);
+
 /// Return the points of a surface, without polygons and arrays.
 SurfacePointer PointsOf(vtkPolyData* surface);
 

@@ -56,7 +56,7 @@ std::vector<Mode> Modes()
       f->SetNumberOfNeurons(200);
     });
   adaptive.Properties = { Integer("NumberOfNeurons", &F::SetNumberOfNeurons),
-    Integer("Border", &F::SetBorder) };
+    Integer("Border", &F::SetBorder), Integer("Genus", &F::SetGenus) };
   Mode open = QuickMode("Open", variant,
     [](F* f)
     {
@@ -232,6 +232,9 @@ std::vector<Mirror> Mirrors()
     Same("Smoothness", filter->GetSmoothness(), options.Fit.Smoothness),
     Same("StartingShape", filter->GetStartingShape(), static_cast<int>(options.StartingShape)),
     Same("HullMethod", filter->GetHullMethod(), static_cast<int>(options.HullMethod)),
+    Same("Genus", filter->GetGenus(), static_cast<int>(options.Genus)),
+    Same("ZERO", vtkConformalSOM::ZERO, static_cast<int>(conformal::HullGenus::Zero)),
+    Same("AS_FOUND", vtkConformalSOM::AS_FOUND, static_cast<int>(conformal::HullGenus::AsFound)),
     Same("Border", filter->GetBorder(), static_cast<int>(options.Opening.Border)),
     Same("HoleSize", filter->GetHoleSize(), options.Opening.HoleSize),
     Same("AUTOMATIC_GROUND", vtkConformalSOM::AUTOMATIC_GROUND,

@@ -20,10 +20,12 @@ void Fuzz(fuzz::FilterSource& source)
   hull->SetOffset(source.between(0.9, 4.0));
   hull->SetPersistence(source.between(1.1, 3.0));
   hull->SetSmoothingPasses(source.below(20));
+  hull->SetGenus(source.flag());
+  hull->SetHandleWidth(source.between(0.0, 10.0));
   hull->SetDistributeOutput(source.flag());
   hull->SetInputDataObject(0, source.surface());
   hull->SetMethod(source.below(3));
-  fuzz::run(hull, true);
+  fuzz::run(hull, hull->GetGenus() == F::ZERO);
 }
 
 // Defaults and constants of the class and of the core.
@@ -42,6 +44,12 @@ std::vector<Mirror> Mirrors()
     Same("Offset", filter->GetOffset(), options.Offset),
     Same("Persistence", filter->GetPersistence(), options.Persistence),
     Same("SmoothingPasses", filter->GetSmoothingPasses(), options.SmoothingPasses),
+    Same("Genus", filter->GetGenus(), static_cast<int>(options.Genus)),
+    Same("ZERO", vtkGenusZeroHull::ZERO, static_cast<int>(conformal::HullGenus::Zero)),
+    Same("AS_FOUND", vtkGenusZeroHull::AS_FOUND, static_cast<int>(conformal::HullGenus::AsFound)),
+    Same("HandleWidth", filter->GetHandleWidth(), options.HandleWidth),
+    Same("HandleWidthMinValue", filter->GetHandleWidthMinValue(), Limits::MinimumHandleWidth),
+    Same("HandleWidthMaxValue", filter->GetHandleWidthMaxValue(), Limits::MaximumHandleWidth),
     Same("SpacingMinValue", filter->GetSpacingMinValue(), Limits::MinimumSpacing),
     Same("SpacingMaxValue", filter->GetSpacingMaxValue(), Limits::MaximumSpacing),
     Same("OffsetMinValue", filter->GetOffsetMinValue(), Limits::MinimumOffset),
@@ -59,7 +67,8 @@ Case GenusZeroHull()
   Mode hull = { "", { Surface(BadPoints) }, Set<F>([](F* f) { f->SetSpacing(0.08); }), true };
   hull.Properties = { Integer("Method", &F::SetMethod), Number("Spacing", &F::SetSpacing),
     Number("Offset", &F::SetOffset), Number("Persistence", &F::SetPersistence),
-    Integer("SmoothingPasses", &F::SetSmoothingPasses),
+    Integer("SmoothingPasses", &F::SetSmoothingPasses), Integer("Genus", &F::SetGenus),
+    Number("HandleWidth", &F::SetHandleWidth),
     Switch("DistributeOutput", &F::SetDistributeOutput) };
   // The smallest spacing is work without end, which Testing/Hostile stops.
   hull.Properties[1].IsNumber = false;
@@ -73,6 +82,13 @@ Case GenusZeroHull()
         f->SetSmoothingPasses(0);
       }),
     true };
+  const Mode handles = { "handles", { Variant(BadPoints) },
+    Set<F>(
+      [](F* f)
+      {
+        f->SetSpacing(0.08);
+        f->SetGenusToAsFound();
+      }) };
   const Mode winding = { "winding numbers", { Surface(BadPoints | BadIds) },
     Set<F>(
       [](F* f)
@@ -81,7 +97,7 @@ Case GenusZeroHull()
         f->SetSpacing(0.08);
       }),
     true };
-  all.Modes = { hull, wide, winding };
+  all.Modes = { hull, wide, handles, winding };
 
   const auto wraps = [](F* f, double scale)
   {

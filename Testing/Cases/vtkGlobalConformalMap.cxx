@@ -93,6 +93,7 @@ Case GlobalConformalMap()
         maps(f, scale);
         f->SetMethodToGuYau();
       }),
+    Scaled<F>("Ring", [](F* f, double scale) { f->SetInputData(Ring(scale)); }),
     // The tolerance is that of where its iterations end.
     Scaled<F>(
       "PolygonsThatDoNotShareCorners", [](F* f, double scale) { f->SetInputData(Cube(scale)); }, {},
@@ -107,7 +108,8 @@ Case GlobalConformalMap()
     Run<F>("head, GuYau", head, Published(5000)),
     Run<F>(
       "limbs, GuYau", []() { return Limbs(25); }, Published(5000)),
-    Run<F>("head, GuYau cut short", head, Published(500)) };
+    Run<F>("head, GuYau cut short", head, Published(500)),
+    Run<F>("ring", []() { return Ring(1.0, 35); }) };
   all.Scans = { "igea-closed.ply", "stanford-bunny-closed.ply" };
   all.Fuzz = Fuzz;
   all.Mirrors = Mirrors;

@@ -69,6 +69,34 @@ inline vtkNew<vtkPolyData> Head(int frequency, double angle)
   return head;
 }
 
+/// Return a torus of revolution around the axis z, with major radius 1. The torus has `along` by
+/// `around` quadrilaterals, each divided into two triangles.
+/// @param[in] isReversed  whether triangles are clockwise seen from outside
+inline vtkNew<vtkPolyData> Torus(double radius, int along, int around, bool isReversed = false)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  const auto id = [=](int i, int j) -> vtkIdType
+  { return static_cast<vtkIdType>(i % along) * around + j % around; };
+  const double turn = 8.0 * std::atan(1.0);
+  for (int i = 0; i < along; ++i)
+  {
+    for (int j = 0; j < around; ++j)
+    {
+      const double s = turn * i / along, t = turn * j / around, r = 1.0 + radius * std::cos(t);
+      points->InsertNextPoint(r * std::cos(s), r * std::sin(s), radius * std::sin(t));
+      const vtkIdType a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
+      triangles->InsertNextCell({ a, isReversed ? c : b, isReversed ? b : c });
+      triangles->InsertNextCell({ a, isReversed ? d : c, isReversed ? c : d });
+    }
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(triangles);
+  return surface;
+}
+
 /// Return a body of two lobes of different size, connected by a neck, like some comets. The origin
 /// is inside. The map of each point is the direction from the origin. The body has 10 f^2 + 2
 /// points, where f is the frequency.

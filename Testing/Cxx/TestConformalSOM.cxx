@@ -488,6 +488,47 @@ TEST(ConformalSOM, ATorusIsLearnedFromItsPoints)
   check->SetInputConnection(filter->GetOutputPort());
   check->Update();
   EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("EulerNumber")->GetTuple1(0), 2.0);
+  EXPECT_EQ(Figure(filter, "NumberOfHandles"), 0.0);
+  // With its handle, the surface has no map to the sphere, and all other arrays.
+  filter->SetGenusToAsFound();
+  filter->SetNumberOfNeurons(1500);
+  observed.Clear();
+  filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning());
+  check->Update();
+  EXPECT_EQ(check->GetOutput()->GetFieldData()->GetArray("EulerNumber")->GetTuple1(0), 0.0);
+  EXPECT_EQ(Figure(filter, "NumberOfHandles"), 1.0);
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_FALSE(output->GetPointData()->HasArray("SpherePosition"));
+  EXPECT_FALSE(output->GetFieldData()->HasArray("MeanQuasiConformalError"));
+  for (const char* name : { "Supported", "StandardError", "QuantizationError" })
+  {
+    contract::ExpectArray(output->GetPointData(), name, VTK_DOUBLE, 1, output->GetNumberOfPoints());
+  }
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double* p = output->GetPoint(i);
+    EXPECT_NEAR(std::hypot(std::hypot(p[0], p[1]) - 1.0, p[2]), 0.4, 0.02);
+  }
+}
+
+TEST(ConformalSOM, LearnsNoHandlesFromTheSphere)
+{
+  vtkNew<vtkPolyData> cloud;
+  cloud->DeepCopy(fixtures::Ellipsoid(6));
+  const auto expectError = [&](const std::function<void(vtkConformalSOM*)>& set)
+  {
+    auto filter = MakeFilter(cloud);
+    filter->SetGenusToAsFound();
+    set(filter);
+    contract::Observed observed(filter);
+    filter->Update();
+    observed.ExpectError(
+      "a mesh that is learned from the sphere has no handles; set Genus to Zero");
+  };
+  expectError([](vtkConformalSOM* filter) { filter->SetMeshTypeToGeodesic(); });
+  expectError([](vtkConformalSOM* filter) { filter->SetTrainingModeToOnline(); });
+  expectError([](vtkConformalSOM* filter) { filter->SetStartingShapeToSphere(); });
 }
 
 TEST(ConformalSOM, SaysWhyItCannotStartFromThePolygons)

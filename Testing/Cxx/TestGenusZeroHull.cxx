@@ -257,6 +257,28 @@ TEST_F(GenusZeroHull, WarnsOfWhatIsLeftOutOrCut)
   expect(few, "");
 }
 
+// Handles of the object are kept without a warning, and those that are too thin are cut.
+TEST_F(GenusZeroHull, KeepsHandles)
+{
+  vtkNew<vtkPoints> torus;
+  AddTorus(torus, 1.0, 0.35);
+  this->Cloud->SetPoints(torus);
+  this->Filter->SetSpacing(0.03);
+  this->Filter->SetGenusToAsFound();
+  EXPECT_TRUE(WarningsOf(this->Filter, this->Cloud).empty());
+  EXPECT_EQ(this->Figure("NumberOfHandles"), 1);
+  EXPECT_FALSE(this->IsGenusZero());
+  // The tube is 0.7 wide, and the grid spacing is 0.03 times the largest radius of 1.35.
+  this->Filter->SetHandleWidth(20.0);
+  this->Filter->Update();
+  EXPECT_EQ(this->Figure("NumberOfHandles"), 0);
+  EXPECT_TRUE(this->IsGenusZero());
+  this->Filter->SetHandleWidth(std::numeric_limits<double>::quiet_NaN());
+  contract::Observed observed(this->Filter);
+  this->Filter->Update();
+  observed.ExpectError("the width of handles must be in [0.000000, 1000.000000]");
+}
+
 // Real scans, closed and of genus zero, with limbs that touch and folds that nearly do.
 TEST_F(GenusZeroHull, SaysNothingOfCleanScans)
 {
@@ -506,8 +528,8 @@ TEST_F(GenusZeroHull, RunsOnlyWhenModifiedAndPrints)
   contract::ExpectRunsOnlyWhenModified(this->Filter, [&]() { this->Filter->SetPersistence(2.0); });
   contract::ExpectRunsOnlyWhenModified(
     this->Filter, [&]() { this->Filter->SetSmoothingPasses(5); });
-  for (const char* property : { "Method", "Spacing", "Offset", "Persistence", "SmoothingPasses",
-         "DistributeOutput", "Controller" })
+  for (const char* property : { "Method", "Spacing", "Offset", "Persistence", "Genus",
+         "HandleWidth", "SmoothingPasses", "DistributeOutput", "Controller" })
   {
     contract::ExpectPrints(this->Filter, property);
   }

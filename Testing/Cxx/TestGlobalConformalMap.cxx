@@ -21,7 +21,6 @@
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 #include "vtkStripper.h"
-#include "vtkSuperquadricSource.h"
 
 #include <cmath>
 #include <fstream>
@@ -411,12 +410,71 @@ TEST_F(GlobalConformalMap, SheetsAreMappedToTheDisk)
   }
 }
 
-TEST_F(GlobalConformalMap, AnotherGenusIsRefusedWithItsEulerNumber)
+// A torus of revolution, whose modulus is known.
+TEST_F(GlobalConformalMap, MapsASurfaceOfGenusOneToAFlatTorus)
 {
-  vtkNew<vtkSuperquadricSource> torus;
-  torus->ToroidalOn();
-  torus->Update();
-  this->ExpectRefused(torus->GetOutput(), "Euler number 0");
+  const auto torus = fixtures::Torus(0.6, 60, 60);
+  this->Seen.Clear();
+  vtkPolyData* output = this->Run(torus);
+  this->Seen.ExpectWarning("");
+  contract::ExpectArray(
+    output->GetPointData(), "TorusPosition", VTK_DOUBLE, 2, output->GetNumberOfPoints());
+  EXPECT_FALSE(output->GetPointData()->HasArray("SpherePosition"));
+  contract::ExpectArray(output->GetFieldData(), "TorusModulus", VTK_DOUBLE, 2, 1);
+  const double* modulus = output->GetFieldData()->GetArray("TorusModulus")->GetTuple2(0);
+  EXPECT_NEAR(modulus[0], 0.0, 1e-9);
+  EXPECT_NEAR(modulus[1], std::sqrt(1.0 - 0.36) / 0.6, 3e-3);
+  for (const char* name : { "Energy", "MeanQuasiConformalError", "QuasiConformalError95" })
+  {
+    contract::ExpectArray(output->GetFieldData(), name, VTK_DOUBLE, 1, 1);
+    EXPECT_NEAR(this->Figure(name), 1.0, 0.1) << name;
+    EXPECT_GE(this->Figure(name), 1.0) << name;
+  }
+  EXPECT_EQ(this->Figure("NumberOfFlippedTriangles"), 0);
+  EXPECT_EQ(this->Figure("Converged"), 1);
+  // Inside out, the map is mirrored with the surface.
+  const auto reversed = fixtures::Torus(0.6, 60, 60, true);
+  this->Run(reversed);
+  this->Seen.ExpectWarning("");
+  EXPECT_NEAR(
+    this->Filter->GetOutput()->GetFieldData()->GetArray("TorusModulus")->GetComponent(0, 1),
+    std::sqrt(1.0 - 0.36) / 0.6, 3e-3);
+}
+
+TEST_F(GlobalConformalMap, MapsGenusOneOnlyRobustly)
+{
+  const auto torus = fixtures::Torus(0.6, 20, 12);
+  this->Filter->SetMethodToGuYau();
+  this->ExpectRefused(torus, "a surface of genus 1 is mapped only by Method ROBUST");
+  this->Filter->SetMethodToRobust();
+  this->Filter->SetAreaBalance(0.5);
+  this->ExpectRefused(torus, "AreaBalance 0");
+}
+
+// Filters for maps to the sphere reject the result with a reason.
+TEST_F(GlobalConformalMap, OtherFiltersRejectAMapToATorus)
+{
+  this->Run(fixtures::Torus(0.6, 20, 12));
+  vtkNew<vtkConformalDistortion> distortion;
+  contract::Observed seen{ distortion };
+  distortion->SetInputData(this->Filter->GetOutput());
+  distortion->Update();
+  seen.ExpectError("it is mapped to a flat torus");
+}
+
+// Triangles this large cannot preserve the angles.
+TEST_F(GlobalConformalMap, WarnsOfTrianglesTooLargeForATorus)
+{
+  this->Seen.Clear();
+  this->Run(fixtures::Torus(0.6, 3, 3));
+  this->Seen.ExpectWarning("far from conformal");
+}
+
+TEST_F(GlobalConformalMap, AHigherGenusIsRefusedWithTheWayOut)
+{
+  this->ExpectRefused(fixtures::SphereWithHandles(2, 20),
+    "the surface has genus 2 (number of handles); only surfaces of genus 0 are mapped to the "
+    "sphere, and surfaces of genus 1 to a flat torus. vtkGenusZeroRepair removes handles.");
 }
 
 TEST_F(GlobalConformalMap, SeveralPiecesAreRefused)

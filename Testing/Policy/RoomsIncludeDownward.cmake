@@ -2,7 +2,7 @@
 # source) include each other, not even through others. Tests have the rooms of what they test.
 cmake_minimum_required(VERSION 3.18)
 
-set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Repair Border Surface Measure Learn/Fit Learn/Online Learn/Batch Learn Geodesics Texture Body Volume Register Motion Harmonics)
+set(rooms Base Mesh TriangleMap Search Cloud Linear Sphere SphereMap Hull Repair Border Surface Measure Learn/Fit Learn/Online Learn/Batch Learn Geodesics TorusMap Texture Body Volume Register Motion Harmonics)
 set(below_Base)
 set(below_Mesh Base)
 set(below_TriangleMap Base)
@@ -24,6 +24,7 @@ set(below_Texture Base Mesh Search Sphere)
 set(below_Body Base Mesh Search Sphere Texture)
 set(below_Volume Base Mesh Search)
 set(below_Measure Base Mesh Search Linear Sphere)
+set(below_TorusMap Base Mesh Linear Measure)
 set(below_Register Base Mesh Search Linear Sphere SphereMap Measure)
 set(below_Motion Base Mesh Linear Sphere Register)
 set(below_Harmonics Base Mesh Linear Sphere)

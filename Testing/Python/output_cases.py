@@ -398,6 +398,15 @@ class Map(Filter):
         return Outputs({"map": result})
 
 
+@functools.lru_cache(maxsize=None)
+def mapped_torus():
+    """A surface of genus 1 with its map to a flat torus."""
+    conformal = conformalsom.vtkGlobalConformalMap()
+    conformal.SetInputData(torus())
+    conformal.Update()
+    return conformal.GetOutput()
+
+
 class Background(Filter):
     """vtkBackgroundUpdate, which is no algorithm: it updates a filter."""
 
@@ -592,12 +601,14 @@ CASES = {
                                                         "holes": lambda object_: object_.SetInputData(with_holes())}),
     "vtkGenusZeroHull": Filter(
         inputs(lambda: bear(BEAR)), inputs(lambda: bear(SMALL_BEAR), Spacing=0.08), on_ranks=True),
+    "vtkTorusTextureMap": Filter(inputs(mapped_torus)),
     "vtkGenusZeroRepair": Filter(
         inputs(torus), others={"holes": lambda object_: object_.SetInputData(with_holes())}),
     "vtkGeodesicSphereSource": Filter(inputs(), inputs(Frequency=5)),
     "vtkGlobalConformalMap": Filter(
         inputs(mesh), others={"AreaBalance=0.5": properties_of(AreaBalance=0.5),
-                              "AreaBalance=1": properties_of(AreaBalance=1.0)}),
+                              "AreaBalance=1": properties_of(AreaBalance=1.0),
+                              "torus": lambda object_: object_.SetInputData(torus())}),
     "vtkSphericalAlignment": Filter(
         inputs(TURNED, mapped), others={"landmarks": several(*(call("AddLandmark", i, i) for i in (1, 4, 30, 99)))}),
     "vtkSphericalMorph": Filter(

@@ -11,6 +11,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import compare_surfaces
 from conformalsom import (
@@ -159,6 +160,19 @@ class TestExamples(unittest.TestCase):
             completed = run("body_map.py", "missing.off")
             self.assertEqual((completed.returncode, completed.stderr), (1, "body_map: missing.off: no such file\n"))
             self.assertEqual(run("body_map.py", path, "--output", path).returncode, 2)
+
+    def test_a_torus_keeps_its_handle_and_gets_a_texture(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "torus.vtp")
+            completed = run("handles.py", "--body", "torus", "--points", "6000", "--neurons", "1500", "--output", path)
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            line = next(line for line in completed.stdout.splitlines() if line.startswith("modulus"))
+            self.assertAlmostEqual(float(line.split()[3]), (1.0 - 0.16) ** 0.5 / 0.4, delta=0.02)
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(path)
+            reader.Update()
+            self.assertGreater(np.ptp(vtk_to_numpy(reader.GetOutput().GetPointData().GetTCoords()), axis=0).min(), 7.9)
+            self.assertEqual(run("handles.py", "--repeats", "0").returncode, 2)
 
     def test_harmonics_come_closer_with_their_degree(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkTrivialProducer
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 import conformalsom
-from output_cases import ball_volume, label_map, outlines
+from output_cases import ball_volume, label_map, outlines, torus
 from helpers import hemispheres, textures
 from helpers.builtin_figure import figure_cloud, figure_surface
 
@@ -94,7 +94,7 @@ class TestGuides(unittest.TestCase):
         cls.given = {
             **{name: producer_of(bear) for name in names},
             "network": network, "surface": surface, "painted": painted, "body": body, "harmonics": harmonics,
-            "volume": ball_volume(), "label_picture": label_map(), "polygons": outlines(),
+            "mug": producer_of(torus()), "volume": ball_volume(), "label_picture": label_map(), "polygons": outlines(),
             "surfaces": [bear, bear], "poses": [bear, bear], "scan": producer_of(cloud),
             "front": producer_of(textures.rosette(64)), "back": producer_of(textures.wood(64)),
             "directions": numpy_to_vtk(np.eye(3), deep=True), "vtkDoubleArray": vtkDoubleArray,

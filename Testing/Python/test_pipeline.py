@@ -78,6 +78,9 @@ def chain(frequency=18, surface_frequency=40):
     sheet = vtkGlobalConformalMap()
     sheet.SetInputData(half_of(network.GetOutput()))
     sheet.Update()
+    ring = vtkGlobalConformalMap()
+    ring.SetInputData(torus())
+    ring.Update()
     alignment = vtkSphericalAlignment()
     alignment.SetInputConnection(0, conformal.GetOutputPort())
     alignment.SetInputConnection(1, network.GetOutputPort())
@@ -92,6 +95,7 @@ def chain(frequency=18, surface_frequency=40):
     return {**by_name, "vtkSphericalTextureMap with SplitSeam": split,
             "vtkSphericalTextureMap with AreaBalance": balanced,
             "vtkGlobalConformalMap with a border": sheet,
+            "vtkGlobalConformalMap with a handle": ring,
             "vtkSurfaceMismatch with a reference mesh": to_mesh,
             "vtkConformalSOM with DistributeOutput": network_piece,
             "vtkGenusZeroHull with DistributeOutput": hull_piece}

@@ -32,13 +32,14 @@ def learn(points: PointsLike, *, progress: Progress = False, **properties: typin
 
 @properties_of("vtkGlobalConformalMap")
 def conformal_map(mesh: MeshLike, *, progress: Progress = False, **properties: typing.Any) -> Surface:
-    """Map a closed surface of genus zero to the sphere. Points and triangles are kept.
+    """Map a closed surface of genus zero to the sphere, or of genus 1 to a flat torus. Points and triangles are kept.
 
     mesh: a surface, a file, a vtkPolyData, a mesh of PyVista, trimesh or Open3D, or a pair of arrays
     (points, triangles).
     progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
-    Raises FileNotFoundError for a missing file, and FilterFailed if the surface is not closed or has handles. Example:
+    Raises FileNotFoundError for a missing file, and FilterFailed if the surface is not closed or has several handles.
+    A surface of genus 1 has the point array "TorusPosition" and no sphere. Example:
 
         surface = conformalsom.conformal_map((points, triangles))
     """

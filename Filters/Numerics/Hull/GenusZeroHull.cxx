@@ -6,6 +6,7 @@
 #include "Hull/GridSolid.h"
 #include "Hull/IndicatorSolid.h"
 #include "Hull/LevelSetSurface.h"
+#include "Hull/ThinHandles.h"
 #include "Mesh/GenusZeroCheck.h"
 
 #include <algorithm>
@@ -146,7 +147,15 @@ GenusZeroHullResult makeHull(const TrainingSamples& samples, double spacing,
   result.NumberOfInsideNodes = countInside(inside, distances, options.Offset);
   result.EulerNumber = eulerNumber(grid, inside, counting);
   const Run cutting = steps.next();
-  if (result.EulerNumber != 1)
+  if (result.EulerNumber != 1 && options.Genus == HullGenus::AsFound)
+  {
+    const double width = options.HandleWidth * spacingOfData(distances, samples.totalSize());
+    const ThinHandles removed =
+      removeThinHandles(grid, inside, distances, options.Offset, width, cutting);
+    result.NumberOfCutNodes = removed.NumberOfCutNodes + removed.NumberOfFilledNodes;
+    result.NumberOfHandles = 1 - eulerNumber(grid, inside);
+  }
+  else if (result.EulerNumber != 1)
   {
     const std::vector<std::uint8_t> uncut = inside;
     result.NumberOfCutNodes = cutHandles(
@@ -269,7 +278,9 @@ GenusZeroHullResult makeHullByWindingNumbers(
   const TrainingSamples& samples, const GenusZeroHullOptions& options, const Run& run)
 {
   Steps steps(run, { 0.93, 0.01, 0.06 }); // solid, samples outside, surface
-  IndicatorSolid solid = solidByWindingNumbers(samples, options.Spacing, steps.next());
+  const bool keepsHandles = options.Genus == HullGenus::AsFound;
+  IndicatorSolid solid = solidByWindingNumbers(
+    samples, options.Spacing, keepsHandles ? options.HandleWidth : RemoveAllHandles, steps.next());
   GenusZeroHullResult result;
   if (solid.Inside.empty())
   {
@@ -283,7 +294,8 @@ GenusZeroHullResult makeHullByWindingNumbers(
   result.NumberOfInsideNodes = std::count(solid.Inside.begin(), solid.Inside.end(), 1);
   result.EulerNumber = solid.EulerNumber;
   result.NumberOfCutNodes = solid.Repair.NumberOfCutNodes + solid.Repair.NumberOfFilledNodes;
-  result.NumberOfCutInsideNodes = solid.Repair.NumberOfDefiniteNodes;
+  result.NumberOfCutInsideNodes = keepsHandles ? 0 : solid.Repair.NumberOfDefiniteNodes;
+  result.NumberOfHandles = keepsHandles ? 1 - eulerNumber(solid.Grid, solid.Inside) : 0;
 
   const Run counting = steps.next();
   std::vector<std::uint8_t> near = nodesOfData(solid);
@@ -469,6 +481,8 @@ GenusZeroHullResult makeGenusZeroHull(
   requireRange(options.Offset, Limits::MinimumOffset, Limits::MaximumOffset, "offset");
   requireRange(
     options.Persistence, Limits::MinimumPersistence, Limits::MaximumPersistence, "persistence");
+  requireRange(options.HandleWidth, Limits::MinimumHandleWidth, Limits::MaximumHandleWidth,
+    "width of handles");
   requireRange(
     options.SmoothingPasses, 0, Limits::MaximumSmoothingPasses, "number of smoothing passes");
 

@@ -1,8 +1,8 @@
-/// Make a closed surface of genus zero, the hull, around a point cloud. The method is an own
-/// construction, not from a publication. The surface is the boundary of a set of grid nodes with
-/// the topology of a ball. Its genus is zero, since the boundary of a ball is a sphere. All lengths
-/// are in the normalized coordinates of the samples. In normalized coordinates, the weighted
-/// centroid is the origin, and the largest distance of a sample from the origin is 1.
+/// Make a closed surface, the hull, around a point cloud. The method is an own construction, not
+/// from a publication. The surface is the boundary of a set of grid nodes. Usually, the set has the
+/// topology of a ball. Its genus is then zero, since the boundary of a ball is a sphere. All
+/// lengths are in the normalized coordinates of the samples. In normalized coordinates, the
+/// weighted centroid is the origin, and the largest distance of a sample from the origin is 1.
 
 #ifndef ConformalGenusZeroHull_h
 #define ConformalGenusZeroHull_h
@@ -28,6 +28,13 @@ enum class HullMethod
   WindingNumbers ///< classify by winding numbers of all points: holes are closed by extrapolation
 };
 
+/// Genus of the hull.
+enum class HullGenus
+{
+  Zero,   ///< all handles are removed
+  AsFound ///< handles that are as wide as HandleWidth are kept, see removeThinHandles()
+};
+
 struct GenusZeroHullOptions
 {
   HullMethod Method = HullMethod::Distance;
@@ -38,6 +45,11 @@ struct GenusZeroHullOptions
   /// A hole is closed if the cavity behind the hole is wider by at least this factor. See
   /// `persistence` of findOutside(). Used by method Distance.
   double Persistence = 1.5;
+  HullGenus Genus = HullGenus::Zero;
+  /// Minimum width of handles and of their openings that are kept. The unit is the grid spacing, or
+  /// the mean spacing of the samples if it is larger, see spacingOfData(). Used if Genus is
+  /// AsFound.
+  double HandleWidth = 4.0;
   int SmoothingPasses = 10; ///< number of smoothing passes over the surface, at least 0
 };
 
@@ -48,6 +60,7 @@ struct GenusZeroHullLimits
   static constexpr double MinimumSpacing = 0.002, MaximumSpacing = 0.2;
   static constexpr double MinimumOffset = 0.9, MaximumOffset = 10.0;
   static constexpr double MinimumPersistence = 1.1, MaximumPersistence = 10.0;
+  static constexpr double MinimumHandleWidth = 0.0, MaximumHandleWidth = 1000.0;
   static constexpr int MaximumSmoothingPasses = 1000;
 };
 
@@ -92,6 +105,7 @@ struct GenusZeroHullResult : Mesh
   Index EulerNumber = 1;
   /// Number of nodes removed from the solid to cut handles, or added to fill handles.
   Index NumberOfCutNodes = 0;
+  Index NumberOfHandles = 0; ///< number of handles of the surface; 0 unless Genus is AsFound
   /// With method Distance, the number of enclosed nodes that were removed. With method
   /// WindingNumbers, the number of changed nodes that were clearly inside or outside: their winding
   /// number differed from the isovalue by more than 0.25.
@@ -123,7 +137,8 @@ struct GenusZeroHullResult : Mesh
 /// - one enclosed node per handle, at most four in total,
 /// - three nodes near points.
 ///
-/// Return false if no node is enclosed, or if HandlesByChance is set.
+/// Return false if no node is enclosed, if HandlesByChance is set, or if Genus was AsFound: the
+/// handles of the object were then not cut.
 bool hasHandles(const GenusZeroHullResult& hull);
 
 /// Return whether a hull is unreliable. There are four possible causes:
@@ -150,7 +165,9 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// 1. Compute the distance to the points at the nodes of a grid (CloudDistance.h).
 /// 2. Classify each node as outside or not (DistanceBasins.h). This step closes holes in the cloud.
 ///    The largest connected component of the nodes that are not outside is called the solid.
-/// 3. Cut the handles of the solid (GridSolid.h), so that the solid has the topology of a ball.
+/// 3. Cut the handles of the solid (GridSolid.h), so that the solid has the topology of a ball. If
+///    options.Genus is AsFound, only remove handles that are thin or have a narrow opening
+///    (ThinHandles.h).
 /// 4. Extract the surface of the solid by marching tetrahedra, and smooth the surface
 ///    (LevelSetSurface.h).
 ///
@@ -158,7 +175,8 @@ double cutFraction(const GenusZeroHullResult& hull);
 /// (IndicatorSolid.h), and its surface passes through the points. If the cloud is flat or has too
 /// few points, or if nothing is inside, HullMethod::Distance is used instead.
 ///
-/// The surface is closed and of genus zero by construction, for any cloud. If the samples are too
+/// The surface is closed by construction, for any cloud. Its genus is zero, unless options.Genus is
+/// AsFound. If the samples are too
 /// sparse for the grid, all steps are repeated with twice the spacing. The samples are too sparse
 /// if two conditions hold:
 /// - Nothing is enclosed, or a hole is about as wide as the cavity behind it.

@@ -7,11 +7,13 @@
 #include "Hull/CloudDistance.h"
 #include "Hull/FreeSpace.h"
 #include "Hull/GridSolid.h"
+#include "Hull/ThinHandles.h"
 #include "Search/PointTree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -166,8 +168,9 @@ public:
     }
   }
 
-  // Repair the solid so that it has the topology of a ball, and return it.
-  IndicatorSolid repaired(const Run& run)
+  // Repair the solid so that it has the topology of a ball, or only handles of a given width, and
+  // return it.
+  IndicatorSolid repaired(const TrainingSamples& samples, double handleWidth, const Run& run)
   {
     IndicatorSolid& solid = this->Solid;
     const PointTree tree(this->Cloud.Positions, run.unwatched());
@@ -178,7 +181,16 @@ public:
       run.part(0.0, 0.3));
     fillCavities(solid.Grid, solid.Inside, run.part(0.3, 0.5));
     solid.EulerNumber = eulerNumber(solid.Grid, solid.Inside);
-    solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, run.part(0.5, 1.0));
+    std::function<bool(const std::vector<int>&)> isKept;
+    std::vector<float> distances;
+    if (handleWidth != RemoveAllHandles && solid.EulerNumber < 1)
+    {
+      distances = distanceToSamples(solid.Grid, samples, run.unwatched());
+      const double width = handleWidth * spacingOfData(distances, samples.totalSize());
+      isKept = [&distances, width](const std::vector<int>& nodes)
+      { return widthOfPiece(nodes, distances) >= width; };
+    }
+    solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, isKept, run.part(0.5, 1.0));
     if (std::count(solid.Inside.begin(), solid.Inside.end(), 1) == 0)
     {
       solid.Inside.clear();
@@ -227,7 +239,8 @@ private:
 }
 
 //------------------------------------------------------------------------------
-IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spacing, const Run& run)
+IndicatorSolid solidByWindingNumbers(
+  const TrainingSamples& samples, double spacing, double handleWidth, const Run& run)
 {
   // Isolated points, thinning, trees, orientation, inside, repair.
   Steps steps(run, { 0.06, 0.04, 0.02, 0.72, 0.13, 0.03 });
@@ -243,6 +256,6 @@ IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spac
   SolidSearch search(std::move(cloud), spacing, steps.next());
   search.orientSamples(samples.oriented(), steps.next());
   search.findInside(rays, steps.next());
-  return search.repaired(steps.next());
+  return search.repaired(samples, handleWidth, steps.next());
 }
 }

@@ -34,6 +34,9 @@ struct IndicatorSolid
   HandleRepair Repair; ///< changes that removed the handles
 };
 
+/// Value of `handleWidth` of solidByWindingNumbers() for a solid without handles.
+constexpr double RemoveAllHandles = -1.0;
+
 /// Classify grid nodes as inside or outside by the winding numbers of all points. The inside nodes
 /// are called the solid.
 ///
@@ -47,19 +50,21 @@ struct IndicatorSolid
 ///    handles and cavities, repeat this step with the 1.5-fold width, at most twice. Keep the solid
 ///    with the fewest handles and cavities. If the positions of the scanners are known, nodes that
 ///    scanners have looked through are outside (FreeSpace.h).
-/// 4. Join components, fill cavities and remove handles (SolidRepair.h). The solid then has the
-///    topology of a ball.
+/// 4. Join components, fill cavities and remove handles (SolidRepair.h). Without handles, the solid
+///    has the topology of a ball.
 ///
 /// @param[in] samples  samples of affine rank 3: samples that do not lie in one plane
 /// @param[in] spacing  grid spacing, divided by the largest distance of a sample from the origin
+/// @param[in] handleWidth  minimum width of handles and of their openings that are kept, in the
+///   unit of GenusZeroHullOptions::HandleWidth; RemoveAllHandles to keep none
 /// @return the solid; IndicatorSolid::Inside is empty if there are too few points or no inside
 ///   nodes
 /// @throws std::invalid_argument if the grid would have more than MaximumNumberOfNodes
 ///   (CloudDistance.h)
 /// @throws Aborted
 /// @post the result depends only on the arguments, not on the number of threads or ranks
-IndicatorSolid solidByWindingNumbers(
-  const TrainingSamples& samples, double spacing, const Run& run = {});
+IndicatorSolid solidByWindingNumbers(const TrainingSamples& samples, double spacing,
+  double handleWidth = RemoveAllHandles, const Run& run = {});
 }
 
 #endif

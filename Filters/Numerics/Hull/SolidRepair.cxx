@@ -391,7 +391,8 @@ Index fillCavities(const FreudenthalGrid& grid, std::vector<std::uint8_t>& insid
 
 //------------------------------------------------------------------------------
 HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator,
-  std::vector<std::uint8_t>& inside, const Run& run)
+  std::vector<std::uint8_t>& inside, const std::function<bool(const std::vector<int>&)>& isKept,
+  const Run& run)
 {
   HandleRepair done;
   const std::vector<std::uint8_t> before = inside;
@@ -418,6 +419,10 @@ HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator
     };
     for (const Repair& repair : repairs)
     {
+      if (isKept && isKept(repair.Nodes))
+      {
+        continue;
+      }
       const Index around = eulerNumberAround(grid, inside, repair.Nodes);
       change(repair);
       const Index gain = eulerNumberAround(grid, inside, repair.Nodes) - around;
@@ -434,7 +439,7 @@ HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator
   // Remove components that the rounds left, or that simultaneous changes may have created.
   keepLargestPiece(grid, inside);
   fillCavities(grid, inside);
-  if (eulerNumber(grid, inside) != 1)
+  if (!isKept && eulerNumber(grid, inside) != 1)
   {
     cutHandles(grid, inside, indicator.Values, indicator.Level, HandleCut::HalfWay);
   }

@@ -63,8 +63,11 @@ struct HandleRepair
 /// @param[in] indicator  winding number at each node, and the level of the surface
 /// @param[in,out] inside  1 for the nodes of the solid, else 0; the solid must be connected and
 ///   have no cavities
+/// @param[in] isKept  test for the connected nodes of a cut or filling: true if the handle belongs
+///   to the object, so that this change is not made; empty to remove all handles
 HandleRepair openHandles(const FreudenthalGrid& grid, const Indicator& indicator,
-  std::vector<std::uint8_t>& inside, const Run& run = {});
+  std::vector<std::uint8_t>& inside,
+  const std::function<bool(const std::vector<int>&)>& isKept = {}, const Run& run = {});
 }
 
 #endif

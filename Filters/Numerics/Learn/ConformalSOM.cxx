@@ -15,6 +15,7 @@
 #include "Learn/OpenSurface.h"
 #include "Learn/StartSearch.h"
 #include "Measure/Distortion.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Search/TriangleTree.h"
 #include "Sphere/Resampling.h"
@@ -99,6 +100,10 @@ void checkStart(const ConformalSOMOptions& options, const MappedMesh* mesh)
   const bool isMapped = mesh && mesh->SpherePositions.rows() > 0;
   require(!isGeodesic || !mesh || (online && isMapped),
     "a geodesic mesh is learned from the sphere; remove the starting mesh, or set " + instead);
+  require(options.Genus == HullGenus::Zero ||
+      (!isGeodesic && options.StartingShape != StartingShape::Sphere),
+    "a mesh that is learned from the sphere has no handles; set Genus to Zero, or TrainingMode to "
+    "Batch, MeshType to Automatic or Adaptive, and StartingShape to Automatic or Hull");
   require(mesh || options.StartingShape != StartingShape::Mesh, "there is no starting mesh");
   require(!mesh || mesh->Triangles.rows() >= 4,
     "the starting mesh is two triangles back to back, which enclose nothing");
@@ -286,14 +291,23 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
     {
       opening.Border = Border::Closed;
     }
-    openAndMap(kept, opening, result, steps.next());
+    result.NumberOfHandles =
+      checkGenusZero(result.Triangles, result.Positions.rows()).numberOfHandles();
+    const Run mapping = steps.next();
+    if (result.NumberOfHandles == 0)
+    {
+      openAndMap(kept, opening, result, mapping);
+    }
   }
   result.NumberOfOutliers = samples.totalSize() - kept.totalSize();
-  const Distortion distortion =
-    measureDistortion(result.Positions, result.Triangles, result.SpherePositions, run.unwatched());
-  result.MeanQuasiConformalError = distortion.AreaMeanQuasiConformalError;
-  result.MaximumQuasiConformalError = distortion.MaximumQuasiConformalError;
-  result.HasConformalMap = !isGeodesic;
+  if (result.NumberOfHandles == 0)
+  {
+    const Distortion distortion = measureDistortion(
+      result.Positions, result.Triangles, result.SpherePositions, run.unwatched());
+    result.MeanQuasiConformalError = distortion.AreaMeanQuasiConformalError;
+    result.MaximumQuasiConformalError = distortion.MaximumQuasiConformalError;
+  }
+  result.HasConformalMap = !isGeodesic && result.NumberOfHandles == 0;
   result.Positions = kept.restoreAll(std::move(result.Positions));
   run.report(1.0);
   return result;

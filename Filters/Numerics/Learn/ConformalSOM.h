@@ -28,6 +28,10 @@ namespace conformal
 /// with the unit sphere, unless a start mesh is given. Learning of an adaptive mesh can begin with
 /// other surfaces (StartSearch.h).
 ///
+/// If options.Genus is AsFound, an adaptive mesh keeps the handles of the object. A mesh with
+/// handles has no map to the sphere, and no border: SpherePositions are empty, and options.Opening
+/// is ignored.
+///
 /// Implementation note: in Online mode (options.TrainingMode), each step moves neurons (vertices)
 /// near a reference point r. The distance between neuron and r is measured on the sphere. Let sigma
 /// be the neighborhood radius of Eq. 3 in \cite Liou2008. To reduce the cost, neurons farther than
@@ -47,6 +51,8 @@ namespace conformal
 ///     Automatic and the samples lie in a plane, the start mesh is ignored.
 /// @throws std::invalid_argument if there are no samples, or an option is out of range
 /// @throws std::invalid_argument if the start mesh is not closed and of genus zero
+/// @throws std::invalid_argument if options.Genus is AsFound, and the mesh is learned from the
+/// sphere
 /// @throws std::invalid_argument if a geodesic mesh is requested (MeshType Geodesic or Online
 ///   mode), but options.StartingShape is Hull or Mesh
 /// @throws Aborted

@@ -73,6 +73,10 @@ struct ConformalSOMOptions
   conformal::StartingShape StartingShape = conformal::StartingShape::Automatic;
   /// Method by which a hull is made, if learning starts from a hull.
   conformal::HullMethod HullMethod = conformal::HullMethod::Automatic;
+  /// Genus (number of handles) of the mesh. With AsFound, learning starts from a hull that keeps
+  /// the handles of the object, see GenusZeroHullOptions. A mesh with handles has no
+  /// SpherePositions.
+  HullGenus Genus = HullGenus::Zero;
 
   /// Kind of reference point. A pattern moves the neurons near its reference point, a point on the
   /// sphere of the network. In Batch mode, reference points are used while learning from the
@@ -140,7 +144,8 @@ struct ConformalSOMResult
   Index NumberOfOutliers = 0;
   /// Number of pairs of triangles that cross each other, see untangle(); 0 for a geodesic mesh
   Index SelfIntersections = 0;
-  int NumberOfStarts = 1; ///< number of start surfaces tried; the best result is returned
+  Index NumberOfHandles = 0; ///< number of handles; if above 0, SpherePositions are empty
+  int NumberOfStarts = 1;    ///< number of start surfaces tried; the best result is returned
   /// Quasi-conformal error of the map to the sphere: mean over the area of the mesh, and maximum
   /// over the triangles, see measureDistortion(). 1 is conformal.
   double MeanQuasiConformalError = 1.0;

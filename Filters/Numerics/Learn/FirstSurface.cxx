@@ -64,12 +64,13 @@ double hullSpacing(const TrainingSamples& samples, Index neurons, HullMethod met
 }
 
 GenusZeroHullResult makeHull(
-  const TrainingSamples& samples, Index neurons, HullMethod method, const Run& run)
+  const TrainingSamples& samples, Index neurons, HullMethod method, HullGenus genus, const Run& run)
 {
   const auto optionsFor = [&](HullMethod by)
   {
     GenusZeroHullOptions options;
     options.Method = by;
+    options.Genus = genus;
     options.Spacing = hullSpacing(samples, neurons, by);
     return options;
   };
@@ -120,7 +121,7 @@ FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
 FirstSurface firstSurfaceFromHull(const TrainingSamples& samples,
   const ConformalSOMOptions& options, HullMethod method, const Run& run)
 {
-  GenusZeroHullResult hull = makeHull(samples, options.NumberOfNeurons, method, run);
+  GenusZeroHullResult hull = makeHull(samples, options.NumberOfNeurons, method, options.Genus, run);
   FirstSurface first;
   static_cast<Mesh&>(first) = hull;
   first.Report.FromHull = true;

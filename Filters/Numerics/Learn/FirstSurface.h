@@ -43,7 +43,8 @@ FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
 
 /// Make a start surface from a hull, a closed surface around the samples (GenusZeroHull.h). The
 /// hull is computed on a grid. The grid spacing is adapted to the density of the samples, and to
-/// the edge length of the mesh to learn.
+/// the edge length of the mesh to learn. If options.Genus is AsFound, the hull keeps handles whose
+/// width, and that of their opening, is at least 4 grid spacings or sample spacings.
 /// @param[in] method  method by which the hull is made
 /// @throws Aborted
 FirstSurface firstSurfaceFromHull(const TrainingSamples& samples,

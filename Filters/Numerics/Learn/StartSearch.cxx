@@ -161,7 +161,7 @@ private:
       case Start::OwnMesh:
         return this->Mesh && !this->isGiven();
       case Start::Sphere:
-        return this->IsSolid && this->mayImprove() &&
+        return this->IsSolid && this->mayImprove() && this->Options.Genus == HullGenus::Zero &&
           (shape == StartingShape::Automatic || shape == StartingShape::Sphere);
       case Start::Hull:
         return this->mayImprove() && (shape != StartingShape::Sphere || !this->IsSolid);

@@ -32,7 +32,8 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 ///   the only start surface.
 /// - Own mesh: if a start mesh without SpherePositions is given, its vertices are the samples. This
 ///   mesh is the first start surface.
-/// - Sphere: only for StartingShape Automatic or Sphere. For a geodesic mesh, the sphere is the
+/// - Sphere: only for StartingShape Automatic or Sphere, and options.Genus Zero. For a geodesic
+/// mesh, the sphere is the
 ///   only start surface.
 /// - Hull (closed surface around the samples): only for StartingShape Automatic or Hull. If an
 ///   adaptive mesh is learned from samples of affine rank below 3, the hull replaces the sphere.

@@ -44,6 +44,21 @@ void solveByEigen(const EdgeWeights& weights, const std::vector<double>& diagona
 }
 
 //------------------------------------------------------------------------------
+void solveByCholesky(const EdgeWeights& weights, const std::vector<double>& diagonal,
+  const Points& places, Columns& columns, const Run& run)
+{
+  if (places.rows() < LargeSystem)
+  {
+    solveByEigen(weights, diagonal, columns);
+    return;
+  }
+  Steps steps(run, { 0.88, 0.12 }); // factor, solution
+  const MultifrontalCholesky factor(weights, diagonal, places, steps.next());
+  steps.next();
+  factor.solve(columns);
+}
+
+//------------------------------------------------------------------------------
 void extendHarmonically(const EdgeWeights& weights, const Points& places,
   const std::vector<int>& free, Columns& values, const Run& run)
 {
@@ -52,7 +67,7 @@ void extendHarmonically(const EdgeWeights& weights, const Points& places,
   {
     return;
   }
-  Steps steps(run, { 0.01, 0.87, 0.12 }); // matrix, factor, solution
+  Steps steps(run, { 0.01, 0.99 }); // matrix, solution
   steps.next();
   std::vector<int> unknowns(places.rows(), -1);
   for (Index i = 0; i < size; ++i)
@@ -84,16 +99,7 @@ void extendHarmonically(const EdgeWeights& weights, const Points& places,
     }
     inner.Neighbors.Offsets.push_back(static_cast<int>(inner.Neighbors.Ids.size()));
   }
-  if (size < LargeSystem)
-  {
-    solveByEigen(inner, diagonal, solution);
-  }
-  else
-  {
-    const MultifrontalCholesky factor(inner, diagonal, innerPlaces, steps.next());
-    steps.next();
-    factor.solve(solution);
-  }
+  solveByCholesky(inner, diagonal, innerPlaces, solution, steps.next());
   for (Index i = 0; i < size; ++i)
   {
     values.row(free[i]) = solution.row(i);

@@ -54,19 +54,6 @@ struct Flat
   }
 };
 
-// Compute the ratio of the singular values of the linear map from a to b; not finite without a map.
-double dilatation(const Corners& a, const Corners& b)
-{
-  const Flat from(a), to(b);
-  const double xx = to.Base / from.Base, yy = to.Height / from.Height;
-  const double xy = (to.Offset - xx * from.Offset) / from.Height;
-  const double squares = xx * xx + xy * xy + yy * yy, determinant = xx * yy;
-  // Product form of the discriminant, which cannot be negative.
-  const double root =
-    std::sqrt(((xx - yy) * (xx - yy) + xy * xy) * ((xx + yy) * (xx + yy) + xy * xy));
-  return (squares + root) / (2.0 * determinant);
-}
-
 // Compute the area of the spherical triangle, negative if clockwise seen from outside.
 double solidAngle(const Corners& n)
 {
@@ -149,6 +136,19 @@ void summarize(Distortion& result, const Measured& measured)
 }
 
 //------------------------------------------------------------------------------
+double quasiConformalError(const Corners& a, const Corners& b)
+{
+  const Flat from(a), to(b);
+  const double xx = to.Base / from.Base, yy = to.Height / from.Height;
+  const double xy = (to.Offset - xx * from.Offset) / from.Height;
+  const double squares = xx * xx + xy * xy + yy * yy, determinant = xx * yy;
+  // Product form of the discriminant, which cannot be negative.
+  const double root =
+    std::sqrt(((xx - yy) * (xx - yy) + xy * xy) * ((xx + yy) * (xx + yy) + xy * xy));
+  return (squares + root) / (2.0 * determinant);
+}
+
+//------------------------------------------------------------------------------
 Distortion measureDistortion(const PointView& points, const Triangles& triangles,
   const Points& spherePositions, const Run& run)
 {
@@ -186,7 +186,7 @@ Distortion measureDistortion(const PointView& points, const Triangles& triangles
         measured.SolidAngles[r] = solidAngle(b);
         measured.Orientations[r] = orientation(b[0], b[1], b[2]);
         result.AngleDistortion[r] = angleChange(a, b);
-        result.QuasiConformalError[r] = dilatation(a, b);
+        result.QuasiConformalError[r] = quasiConformalError(a, b);
       }
     });
   steps.next();

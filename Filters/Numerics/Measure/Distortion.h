@@ -7,10 +7,15 @@
 #include "Base/Run.h"
 #include "Base/Types.h"
 
+#include <array>
 #include <vector>
 
 namespace conformal
 {
+/// Compute the quasi-conformal error K of the linear map from one triangle to another: the ratio of
+/// the larger to the smaller singular value. The result is not finite if a triangle has no area.
+double quasiConformalError(const std::array<Vector3, 3>& from, const std::array<Vector3, 3>& to);
+
 /// Distortion of each triangle, and a summary. A triangle is degenerate if its area on the mesh or
 /// on the sphere is 0. Degenerate triangles get the values of undistorted triangles, and are left
 /// out of the summary.

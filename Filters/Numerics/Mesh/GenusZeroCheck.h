@@ -61,6 +61,14 @@ struct GenusZeroReport
     return this->manifold() && this->Orientable && this->NumberOfComponents == 1 &&
       this->NumberOfBoundaryLoops >= 1 && this->EulerNumber == 2 - this->NumberOfBoundaryLoops;
   }
+  /// Return the number of handles of a closed, manifold, connected and orientable surface; -1 for
+  /// other meshes. A torus has one handle.
+  Index numberOfHandles() const
+  {
+    const bool isSurface =
+      this->closed() && this->manifold() && this->Orientable && this->NumberOfComponents == 1;
+    return isSurface ? (2 - this->EulerNumber) / 2 : -1;
+  }
 };
 
 /// Check the topology of a mesh. If points are given, also check for non-finite coordinates, for

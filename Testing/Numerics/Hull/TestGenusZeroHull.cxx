@@ -15,6 +15,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 using conformal::checkGenusZero;
 using conformal::GenusZeroHullLimits;
@@ -174,6 +175,47 @@ TEST(GenusZeroHull, CutsATorusOpen)
 
 // Rings in a row, each grown into the next: of any number, and also where the grid is too coarse
 // for an inside of their tubes, their handles are told from those of the offset.
+// Handles of the object are kept, and those of noise and gaps are not.
+TEST(GenusZeroHull, KeepsTheHandlesOfTheObject)
+{
+  const auto torus = [](double u, double v)
+  {
+    const double r = 1.0 + 0.4 * std::cos(2.0 * Pi * v);
+    return Vector3(
+      r * std::cos(2.0 * Pi * u), r * std::sin(2.0 * Pi * u), 0.4 * std::sin(2.0 * Pi * v));
+  };
+  const auto ball = [](double u, double v)
+  {
+    const double z = 2.0 * v - 1.0, r = std::sqrt(1.0 - z * z);
+    return Vector3(r * std::cos(2.0 * Pi * u), r * std::sin(2.0 * Pi * u), z);
+  };
+  using conformal::HullMethod;
+  for (const auto& [method, noise] : { std::pair(HullMethod::Distance, 0.0),
+         std::pair(HullMethod::Distance, 0.02), std::pair(HullMethod::WindingNumbers, 0.02) })
+  {
+    for (const bool isTorus : { true, false })
+    {
+      const Points points = isTorus ? pointsOf(3000, torus, noise) : pointsOf(3000, ball, noise);
+      const TrainingSamples samples{ PointView(points) };
+      GenusZeroHullOptions options = spaced(0.05);
+      options.Method = method;
+      options.Genus = conformal::HullGenus::AsFound;
+      const GenusZeroHullResult hull = makeGenusZeroHull(samples, options);
+      EXPECT_EQ(hull.NumberOfHandles, isTorus) << noise;
+      EXPECT_FALSE(hasHandles(hull));
+      const GenusZeroReport report = checkGenusZero(hull.Triangles, hull.Positions.rows());
+      EXPECT_EQ(report.numberOfHandles(), isTorus) << noise;
+      if (method == HullMethod::Distance)
+      {
+        EXPECT_EQ(hull.Triangles, makeGenusZeroHull(samples, options, runs::backwards()).Triangles);
+        // A width beyond that of the tube cuts the handle.
+        options.HandleWidth = 30.0;
+        EXPECT_EQ(makeGenusZeroHull(samples, options).NumberOfHandles, 0);
+      }
+    }
+  }
+}
+
 TEST(GenusZeroHull, KnowsHandlesThatHaveNothingInside)
 {
   const Points ring = pointsOf(30000,
