@@ -8,6 +8,7 @@
 #include "Glue/CloudWarnings.h"
 #include "Glue/LearningStages.h"
 #include "Glue/Meshes.h"
+#include "Glue/PatternArrays.h"
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
 #include "Glue/Run.h"
@@ -181,15 +182,16 @@ conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vt
   return OwnMesh(self, input, must, samples, frame, processes, run);
 }
 
-// Memory of the normals and of the scanners of points.
+// Memory of the normals, the scanners and the pattern values of points.
 struct PointAttributes
 {
   glue::CloudNormals Normals;
   conformal::Points Scanners;
+  glue::PatternArrays Patterns;
 };
 
-// Set the normals and the scanners of the samples to those of the input. Online learning uses
-// neither.
+// Set the normals, the scanners and the pattern values of the samples to those of the input. Online
+// learning uses neither normals nor scanners.
 void SetAttributes(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::ConformalSOMOptions& options, conformal::TrainingSamples& samples,
   PointAttributes& attributes)
@@ -198,6 +200,10 @@ void SetAttributes(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   {
     glue::SetNormals(input, frame, options.HullMethod, samples, attributes.Normals);
     glue::SetScanners(input, frame, samples, attributes.Scanners);
+  }
+  if (!attributes.Patterns.Arrays.empty())
+  {
+    samples.setPatternValues(attributes.Patterns.Values);
   }
 }
 
@@ -218,9 +224,15 @@ void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
 
 // Warn of defects of the input's points, and of points that are left out.
 void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable,
-  const glue::LeftOut& leftOut, conformal::Side side)
+  const glue::PatternArrays& patterns, const glue::LeftOut& leftOut, conformal::Side side)
 {
   WarnAbout(self, leftOut, samples, side);
+  if (patterns.NumberOfUnusable > 0)
+  {
+    vtkWarningWithObjectMacro(self, << patterns.NumberOfUnusable
+                                    << " points have a value that is not finite in a pattern "
+                                       "array, and are left out");
+  }
   if (unusable > 0)
   {
     vtkWarningWithObjectMacro(
@@ -443,7 +455,8 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
 // Make the output surface, equal on all ranks, in two steps: quantization errors and vertex shift.
 vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
-  const glue::LeftOut& leftOut, const conformal::CoordinateFrame& frame, conformal::Steps& steps)
+  const glue::PatternArrays& patterns, const glue::LeftOut& leftOut,
+  const conformal::CoordinateFrame& frame, conformal::Steps& steps)
 {
   vtkNew<vtkPolyData> surface;
   glue::SetSurface(surface, result.Positions, result.Triangles, frame);
@@ -460,6 +473,7 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   }
   glue::AddLengths(surface->GetPointData(), "QuantizationError",
     conformal::quantizationErrors(samples, result, options, steps.next()), frame);
+  glue::AddPatternArrays(surface->GetPointData(), patterns, result.PatternValues);
   const bool isFitted =
     options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
   const conformal::Run shifting = steps.next();
@@ -525,6 +539,23 @@ vtkConformalSOM::~vtkConformalSOM()
 }
 
 //------------------------------------------------------------------------------
+void vtkConformalSOM::AddPatternArray(const char* name, double weight)
+{
+  this->PatternArrays.emplace_back(name ? name : "", weight);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkConformalSOM::RemoveAllPatternArrays()
+{
+  if (!this->PatternArrays.empty())
+  {
+    this->PatternArrays.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkConformalSOM::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
@@ -558,6 +589,7 @@ int vtkConformalSOM::RequestData(
   std::vector<conformal::LearningStage> stages;
   conformal::ConformalSOMOptions options = OptionsOf(this, stages);
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
+  const glue::WeightedNames patternNames = this->PatternArrays;
   const bool inPieces = this->DistributeOutput;
   const glue::CloudPart part = PartOf(this);
   return glue::RunCore(this, this->Controller,
@@ -568,16 +600,17 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       glue::CloudInput cloud;
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
+      PointAttributes attributes;
+      glue::ReadPatternArrays(input, patternNames, processes.reduce(), cloud, attributes.Patterns);
       options.Opening.HoleSize /= cloud.Frame.Unit;
       conformal::Steps steps(processes.run(), { 0.04, 0.02, 0.88, 0.02, 0.02, 0.02 });
       glue::LeftOut leftOut;
       conformal::TrainingSamples samples =
         glue::SelectedSamples(cloud, priorities, part, processes.reduce(), steps.next(), leftOut);
-      PointAttributes attributes;
       SetAttributes(input, cloud.Frame, options, samples, attributes);
       if (processes.isFirst())
       {
-        WarnAbout(this, samples, unusable, leftOut, part.Side);
+        WarnAbout(this, samples, unusable, attributes.Patterns, leftOut, part.Side);
         glue::WarnOfFarPoints(this, cloud.Far);
       }
       if (!samples.empty())
@@ -585,7 +618,8 @@ int vtkConformalSOM::RequestData(
         const conformal::MappedMesh mesh =
           StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
         const auto result = Learn(this, samples, options, mesh, processes, steps.next());
-        const auto surface = SurfaceOf(result, samples, options, leftOut, cloud.Frame, steps);
+        const auto surface =
+          SurfaceOf(result, samples, options, attributes.Patterns, leftOut, cloud.Frame, steps);
         SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());
         steps.next();
         glue::KeepOwnShare(surface, inPieces, processes);
@@ -608,6 +642,7 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "PriorityArrayName: " << (this->PriorityArrayName ? this->PriorityArrayName : "(none)")
      << "\n";
+  os << indent << "NumberOfPatternArrays: " << this->PatternArrays.size() << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
   os << indent << "ReferencePoint: " << references[this->ReferencePoint] << "\n";
   os << indent << "NumberOfEpochs: " << this->NumberOfEpochs << "\n";

@@ -7,6 +7,7 @@
 #include "Cloud/Outliers.h"
 #include "Cloud/SampleRotation.h"
 #include "Learn/FirstSurface.h"
+#include "Learn/Fit/PatternFit.h"
 #include "Learn/Fit/Slivers.h"
 #include "Learn/Fit/Untangling.h"
 #include "Learn/Fit/VertexSupport.h"
@@ -253,8 +254,11 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   const bool isGeodesic = meshTypeFor(options, samples) == MeshType::Geodesic;
   // The vertices of the samples' own mesh are no outliers.
   const bool mayHaveOutliers = !isGeodesic && !(mesh && mesh->SpherePositions.rows() == 0);
+  const bool fitsValues =
+    samples.numberOfPatternValues() > 0 && options.TrainingMode == TrainingMode::Batch;
+  Steps parts(run, { fitsValues ? 0.9 : 1.0, fitsValues ? 0.1 : 0.0 }); // mesh, pattern values
   // Progress: outliers, learning, removal of slivers and self-intersections, conformal map.
-  Steps steps(run,
+  Steps steps(parts.next(),
     isGeodesic ? std::vector<double>{ 0.0, 1.0, 0.0, 0.0 }
                : std::vector<double>{ 0.02, 0.77, 0.01, 0.2 });
   const Run cleaning = steps.next();
@@ -287,6 +291,10 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
       opening.Border = Border::Closed;
     }
     openAndMap(kept, opening, result, steps.next());
+  }
+  if (fitsValues)
+  {
+    result.PatternValues = fitPatternValues(kept, result, parts.next());
   }
   result.NumberOfOutliers = samples.totalSize() - kept.totalSize();
   const Distortion distortion =
