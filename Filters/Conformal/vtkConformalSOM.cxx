@@ -224,7 +224,8 @@ void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
 
 // Warn of defects of the input's points, and of points that are left out.
 void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable,
-  const glue::PatternArrays& patterns, const glue::LeftOut& leftOut, conformal::Side side)
+  const conformal::FarPoints& far, const glue::PatternArrays& patterns,
+  const glue::LeftOut& leftOut, conformal::Side side)
 {
   WarnAbout(self, leftOut, samples, side);
   if (patterns.NumberOfUnusable > 0)
@@ -254,6 +255,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
                                                                       : "all equal")
                                     << "; the mesh is flat");
   }
+  glue::WarnOfFarPoints(self, far);
 }
 
 // Warn of defects of the mesh, and recommend remedies.
@@ -436,14 +438,17 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "VertexShift", vertexShift);
 }
 
-// Learn the mesh, and warn of its defects on the first process.
-conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
+// Learn the mesh, and warn of its defects on the first process. The steps are the mesh from which
+// learning starts, and learning.
+conformal::ConformalSOMResult Learn(vtkConformalSOM* self, vtkPointSet* input, vtkPolyData* start,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
-  const conformal::MappedMesh& start, const glue::Processes& processes, const conformal::Run& run)
+  const conformal::CoordinateFrame& frame, glue::Processes& processes, conformal::Steps& steps)
 {
-  const bool hasStart = start.Positions.rows() > 0;
+  const conformal::MappedMesh mesh =
+    StartingMesh(self, input, start, options, samples, frame, processes, steps.next());
+  const bool hasStart = mesh.Positions.rows() > 0;
   conformal::ConformalSOMResult result =
-    conformal::trainConformalSOM(samples, options, hasStart ? &start : nullptr, run);
+    conformal::trainConformalSOM(samples, options, hasStart ? &mesh : nullptr, steps.next());
   if (processes.isFirst())
   {
     WarnAbout(self, result, samples);
@@ -610,14 +615,12 @@ int vtkConformalSOM::RequestData(
       SetAttributes(input, cloud.Frame, options, samples, attributes);
       if (processes.isFirst())
       {
-        WarnAbout(this, samples, unusable, attributes.Patterns, leftOut, part.Side);
-        glue::WarnOfFarPoints(this, cloud.Far);
+        WarnAbout(this, samples, unusable, cloud.Far, attributes.Patterns, leftOut, part.Side);
       }
       if (!samples.empty())
       {
-        const conformal::MappedMesh mesh =
-          StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
-        const auto result = Learn(this, samples, options, mesh, processes, steps.next());
+        const auto result =
+          Learn(this, input, start, samples, options, cloud.Frame, processes, steps);
         const auto surface =
           SurfaceOf(result, samples, options, attributes.Patterns, leftOut, cloud.Frame, steps);
         SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());

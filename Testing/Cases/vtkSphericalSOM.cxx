@@ -1,6 +1,7 @@
 #include "vtkSphericalSOM.h"
 
 #include "FuzzFilter.h"
+#include "Learn/Batch/SphericalSOM.h"
 #include "Properties.h"
 #include "Surfaces.h"
 
@@ -37,6 +38,18 @@ vtkSmartPointer<vtkTable> TableOf(vtkPolyData* surface)
 }
 }
 
+namespace
+{
+std::vector<Mirror> Mirrors()
+{
+  const conformal::SphericalSOMOptions options;
+  vtkNew<F> filter;
+  return { Same("NumberOfNeurons", filter->GetNumberOfNeurons(), options.NumberOfNeurons),
+    Same("Standardize", filter->GetStandardize(), options.Standardize),
+    Same("RandomSeed", static_cast<unsigned int>(filter->GetRandomSeed()), options.RandomSeed) };
+}
+}
+
 Case SphericalSOM()
 {
   Case all = CaseOf<F>("vtkSphericalSOM");
@@ -66,6 +79,7 @@ Case SphericalSOM()
         return som;
       };
     } } };
+  all.Mirrors = Mirrors;
   all.Fuzz = [](fuzz::FilterSource& source)
   {
     vtkNew<F> filter;

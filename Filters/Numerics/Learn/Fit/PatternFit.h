@@ -19,7 +19,7 @@ namespace conformal
 /// b v are the values v of the mesh at its foot point (the closest point of the mesh), interpolated
 /// by the barycentric weights b. The second sum is over all edges (i, j), and m is the mean over
 /// the vertices of the sum of p b^2. The smoothness s is chosen from 0.001, 0.01, 0.1 and 1 by
-/// cross-validation, \cite Stone1974: every fifth sample is left out, and the chosen
+/// cross-validation (\cite Stone1974): every fifth sample is left out, and the chosen
 /// smoothness has the smallest errors at these samples.
 ///
 /// Own construction: for fixed triangles and foot points, the minimum is the limit of Eq. 3 of
