@@ -182,9 +182,11 @@ conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vt
   return OwnMesh(self, input, must, samples, frame, processes, run);
 }
 
-// Memory of the normals, the scanners and the pattern values of points.
+// Memory of the normals, the scanners and the pattern values of points, and numbers of points that
+// are left out.
 struct PointAttributes
 {
+  glue::LeftOut LeftOut;
   glue::CloudNormals Normals;
   conformal::Points Scanners;
   glue::PatternArrays Patterns;
@@ -224,13 +226,12 @@ void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
 
 // Warn of defects of the input's points, and of points that are left out.
 void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable,
-  const conformal::FarPoints& far, const glue::PatternArrays& patterns,
-  const glue::LeftOut& leftOut, conformal::Side side)
+  const conformal::FarPoints& far, const PointAttributes& attributes, conformal::Side side)
 {
-  WarnAbout(self, leftOut, samples, side);
-  if (patterns.NumberOfUnusable > 0)
+  WarnAbout(self, attributes.LeftOut, samples, side);
+  if (attributes.Patterns.NumberOfUnusable > 0)
   {
-    vtkWarningWithObjectMacro(self, << patterns.NumberOfUnusable
+    vtkWarningWithObjectMacro(self, << attributes.Patterns.NumberOfUnusable
                                     << " points have a value that is not finite in a pattern "
                                        "array, and are left out");
   }
@@ -460,8 +461,8 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self, vtkPointSet* input, v
 // Make the output surface, equal on all ranks, in two steps: quantization errors and vertex shift.
 vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
-  const glue::PatternArrays& patterns, const glue::LeftOut& leftOut,
-  const conformal::CoordinateFrame& frame, conformal::Steps& steps)
+  const PointAttributes& attributes, const conformal::CoordinateFrame& frame,
+  conformal::Steps& steps)
 {
   vtkNew<vtkPolyData> surface;
   glue::SetSurface(surface, result.Positions, result.Triangles, frame);
@@ -478,7 +479,7 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   }
   glue::AddLengths(surface->GetPointData(), "QuantizationError",
     conformal::quantizationErrors(samples, result, options, steps.next()), frame);
-  glue::AddPatternArrays(surface->GetPointData(), patterns, result.PatternValues);
+  glue::AddPatternArrays(surface->GetPointData(), attributes.Patterns, result.PatternValues);
   const bool isFitted =
     options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
   const conformal::Run shifting = steps.next();
@@ -486,8 +487,8 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   AddFigures(surface->GetFieldData(), samples, result, shift, frame);
   using glue::AddNumber;
   vtkFieldData* data = surface->GetFieldData();
-  AddNumber(data, "NumberOfGroundPoints", static_cast<long long>(leftOut.Ground));
-  AddNumber(data, "NumberOfOtherLayerPoints", static_cast<long long>(leftOut.Layer));
+  AddNumber(data, "NumberOfGroundPoints", static_cast<long long>(attributes.LeftOut.Ground));
+  AddNumber(data, "NumberOfOtherLayerPoints", static_cast<long long>(attributes.LeftOut.Layer));
   return surface;
 }
 
@@ -609,20 +610,18 @@ int vtkConformalSOM::RequestData(
       glue::ReadPatternArrays(input, patternNames, processes.reduce(), cloud, attributes.Patterns);
       options.Opening.HoleSize /= cloud.Frame.Unit;
       conformal::Steps steps(processes.run(), { 0.04, 0.02, 0.88, 0.02, 0.02, 0.02 });
-      glue::LeftOut leftOut;
-      conformal::TrainingSamples samples =
-        glue::SelectedSamples(cloud, priorities, part, processes.reduce(), steps.next(), leftOut);
+      conformal::TrainingSamples samples = glue::SelectedSamples(
+        cloud, priorities, part, processes.reduce(), steps.next(), attributes.LeftOut);
       SetAttributes(input, cloud.Frame, options, samples, attributes);
       if (processes.isFirst())
       {
-        WarnAbout(this, samples, unusable, cloud.Far, attributes.Patterns, leftOut, part.Side);
+        WarnAbout(this, samples, unusable, cloud.Far, attributes, part.Side);
       }
       if (!samples.empty())
       {
         const auto result =
           Learn(this, input, start, samples, options, cloud.Frame, processes, steps);
-        const auto surface =
-          SurfaceOf(result, samples, options, attributes.Patterns, leftOut, cloud.Frame, steps);
+        const auto surface = SurfaceOf(result, samples, options, attributes, cloud.Frame, steps);
         SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());
         steps.next();
         glue::KeepOwnShare(surface, inPieces, processes);

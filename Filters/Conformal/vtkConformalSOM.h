@@ -337,9 +337,11 @@ public:
    *
    * In online learning, patterns and weight vectors of neurons have the coordinates and these
    * values. The winner, the projection onto the mesh and the update (Eqs. 3 to 5 of the paper) are
-   * those of all dimensions. In batch learning, the mesh is learned from the coordinates, and is
-   * the same as without these arrays. The values of its points are then fitted to the values of the
-   * input's points by least squares. Weights have no effect on this fit.
+   * those of all dimensions. In batch learning, the shape is learned from the coordinates. Points
+   * of the mesh then move along the surface, so that its edges follow steps of the values: the
+   * input's points are projected in all dimensions. The values of the mesh are finally fitted by
+   * least squares. With a larger weight, edges follow steps more closely, and the mesh is farther
+   * from the points. 0.1 is suitable for colors.
    *
    * Points with a value that is not finite are left out with a warning. With several processes, all
    * processes with points must have the arrays.

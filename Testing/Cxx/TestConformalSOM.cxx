@@ -1060,18 +1060,60 @@ TEST(ConformalSOM, LearnsPatternArraysInBothModes)
   }
 }
 
-TEST(ConformalSOM, PatternArraysLeaveTheBatchMeshAsItIs)
+// Edges follow the step of the colors, on both types of meshes; the shape stays.
+TEST(ConformalSOM, BatchMeshesFollowStepsOfPatternArrays)
 {
-  auto cloud = MakeCloud(3000);
+  auto cloud = MakeCloud(5000);
   AddPatterns(cloud);
-  auto plain = MakeFilter(cloud), filter = MakePatternFilter(cloud, false);
-  plain->Update();
-  filter->Update();
-  ExpectSamePoints(plain, filter);
-  EXPECT_EQ(filter->GetNumberOfPatternArrays(), 3);
-  filter->RemoveAllPatternArrays();
-  filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("RGB"), nullptr);
+  for (const int type : { vtkConformalSOM::GEODESIC, vtkConformalSOM::ADAPTIVE })
+  {
+    const auto learned = [&](bool withPatterns)
+    {
+      auto filter = MakeFilter(cloud);
+      filter->SetMeshType(type);
+      if (withPatterns)
+      {
+        filter->AddPatternArray("RGB", 0.2);
+      }
+      filter->Update();
+      ExpectMesh(filter);
+      return filter;
+    };
+    // Mean width of the triangles across the plane x = 5, where the color changes
+    const auto width = [](vtkPolyData* mesh)
+    {
+      double sum = 0.0;
+      int count = 0;
+      for (vtkIdType r = 0; r < mesh->GetNumberOfCells(); ++r)
+      {
+        double bounds[6];
+        mesh->GetCellBounds(r, bounds);
+        if (bounds[0] < 5.0 && bounds[1] > 5.0)
+        {
+          sum += bounds[1] - bounds[0];
+          ++count;
+        }
+      }
+      return sum / count;
+    };
+    auto plain = learned(false), filter = learned(true);
+    EXPECT_LT(width(filter->GetOutput()), 0.75 * width(plain->GetOutput()));
+    for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      const double* x = filter->GetOutput()->GetPoint(i);
+      const double square = (x[0] - 5.0) * (x[0] - 5.0) / 9.0 + x[1] * x[1] / 4.0 + x[2] * x[2];
+      EXPECT_NEAR(square, 1.0, 0.1);
+    }
+    if (type == vtkConformalSOM::ADAPTIVE)
+    {
+      EXPECT_LT(Figure(filter, "MeanQuasiConformalError"), 1.2);
+    }
+    EXPECT_EQ(filter->GetNumberOfPatternArrays(), 1);
+    filter->RemoveAllPatternArrays();
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("RGB"), nullptr);
+    ExpectSamePoints(plain, filter);
+  }
 }
 
 TEST(ConformalSOM, PatternArraysThatCannotBeUsedAreErrors)

@@ -42,7 +42,7 @@ struct SphericalSOMResult
   /// #N, row of each neuron. It is the row that is closest to the weight vector if the neuron has
   /// no hits, and otherwise the first row of which the neuron is the winner.
   std::vector<int> Rows;
-  /// #N, U-matrix, \cite Ultsch1990: mean distance between the weight vectors of each neuron and
+  /// #N, U-matrix (\cite Ultsch1990): mean distance between the weight vectors of each neuron and
   /// its neighbors
   std::vector<double> UMatrix;
   double QuantizationError =
@@ -54,7 +54,7 @@ struct SphericalSOMResult
 /// Learn a map by batch training on geodesic spheres of increasing frequency, as
 /// learnFromSphere() learns a surface from points.
 ///
-/// In a pass, each row x is projected as in step 3 of \cite Liou2008: the winner is the neuron
+/// In a pass, each row x is projected as in step 3 of \cite Liou2008. The winner is the neuron
 /// whose weight vector is closest to x, and the projection is the closest point of the triangles
 /// around the winner. The corners of the triangle with the projection get its barycentric weights,
 /// which are diffused over the network (NetworkDiffusion.h). The resulting weights h_i(x) take the

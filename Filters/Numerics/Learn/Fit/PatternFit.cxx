@@ -6,11 +6,15 @@
 #include "Cloud/FootPoints.h"
 #include "Linear/ShiftedSystem.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/VertexNormals.h"
+#include "Search/TriangleInSpace.h"
 #include "Search/TriangleTree.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace conformal
@@ -19,6 +23,12 @@ namespace
 {
 constexpr std::array<double, 4> Smoothnesses = { 0.001, 0.01, 0.1, 1.0 };
 constexpr Index HeldOutEvery = 5;
+// Chosen for a bear with a checkerboard of 30,000 points and 2,562 neurons (measure of
+// Examples/Python/learn_colors.py).
+constexpr int NumberOfAlignments = 8;
+constexpr double MoveSmoothness = 0.3;
+// Quality of a triangle, 1 if it is equilateral, below which moves must not make it worse.
+constexpr double MinimumQuality = 0.4;
 // Share of the identity that keeps the equations regular if the weights of all samples are tiny.
 constexpr double Ridge = 1e-9;
 
@@ -30,26 +40,25 @@ struct Foot
   Vector3 Barycentric;
 };
 
-/// Normal equations A v = g of the first sum.
-class ValueEquations
+/// Normal equations A u = g for values u of the vertices that minimize
+/// sum p |b u - t|^2 + s m sum |u_i - u_j|^2, with a target t of each sample.
+class NormalEquations
 {
 public:
-  /// @param[in] unit  unit of the values, so that sums do not overflow
-  ValueEquations(const TrainingSamples& samples, const Mesh& mesh, double unit)
+  NormalEquations(const TrainingSamples& samples, const Mesh& mesh, Index columns)
     : Samples(samples)
-    , Unit(unit)
     , Shape(mesh)
     , Neighbors(vertexNeighbors(mesh.Triangles, mesh.Positions.rows()))
-    , Size(samples.numberOfPatternValues())
+    , Size(columns)
     , Products(6 * mesh.Triangles.rows())
-    , Right(mesh.Positions.rows() * Size)
+    , Right(mesh.Positions.rows() * columns)
   {
   }
 
-  void add(const Foot& foot)
+  /// @param[in] target  a number for each column, of magnitude up to about 1
+  void add(const Foot& foot, const double* target)
   {
     const double weight = this->Samples.weight(foot.Sample);
-    const double* values = this->Samples.patternValues(foot.Sample);
     Index product = 6 * Index(foot.Triangle);
     for (int k = 0; k < 3; ++k)
     {
@@ -61,12 +70,12 @@ public:
       const Index vertex = this->Shape.Triangles(foot.Triangle, k);
       for (Index c = 0; c < this->Size; ++c)
       {
-        this->Right.add(vertex * this->Size + c, share * (values[c] / this->Unit));
+        this->Right.add(vertex * this->Size + c, share * target[c]);
       }
     }
   }
 
-  /// Return the minimum for a smoothness.
+  /// Return the minimum for a smoothness s, #V by the number of columns.
   Columns solve(double smoothness, const Run& run) const
   {
     FixedPointSums products = this->Products, right = this->Right;
@@ -108,7 +117,7 @@ public:
     {
       for (Index c = 0; c < this->Size; ++c)
       {
-        values(i, c) = this->Unit * right[i * this->Size + c];
+        values(i, c) = right[i * this->Size + c];
       }
     }
     factorize(matrix, this->Shape.Positions, 1, run).solve(values);
@@ -117,13 +126,20 @@ public:
 
 private:
   const TrainingSamples& Samples;
-  const double Unit;
   const Mesh& Shape;
   const Adjacency Neighbors;
   const Index Size;
   FixedPointSums Products; ///< for each triangle, sums of the products p b_k b_l
-  FixedPointSums Right;    ///< for each vertex, sums of p b_k a
+  FixedPointSums Right;    ///< for each vertex, sums of p b_k t
 };
+
+/// Pattern values of a sample, divided by a unit.
+Eigen::VectorXd scaledValues(const TrainingSamples& samples, Index i, double unit)
+{
+  return Eigen::Map<const Eigen::VectorXd>(
+           samples.patternValues(i), samples.numberOfPatternValues()) /
+    unit;
+}
 
 /// Return the sum of the mean square errors at samples that were left out, on all ranks.
 double errorAt(const TrainingSamples& samples, const Mesh& mesh, const Columns& values,
@@ -169,17 +185,28 @@ std::vector<double> rangesOf(const TrainingSamples& samples)
   }
   return maximum(samples.reduce(), extremes);
 }
+
+/// Return the largest magnitude of a value, or the smallest number above 0.
+double unitOf(const std::vector<double>& ranges)
+{
+  return std::max(
+    std::numeric_limits<double>::min(), *std::max_element(ranges.begin(), ranges.end()));
 }
 
-Columns fitPatternValues(const TrainingSamples& samples, const Mesh& mesh, const Run& run)
+/// Values of the vertices, and the smoothness with which they were fitted.
+struct FittedValues
+{
+  Columns Values;
+  double Smoothness = 0.0;
+};
+
+FittedValues fitValues(const TrainingSamples& samples, const Mesh& mesh, const Run& run)
 {
   Steps steps(run, { 0.1, 0.4, 0.1, 0.1, 0.1, 0.1, 0.1 }); // tree, feet, fits
   const TriangleTree tree(mesh.Positions, mesh.Triangles, steps.next());
   const std::vector<double> ranges = rangesOf(samples);
-  // The largest magnitude of a value
-  const double unit =
-    std::max(std::numeric_limits<double>::min(), *std::max_element(ranges.begin(), ranges.end()));
-  ValueEquations equations(samples, mesh, unit);
+  const double unit = unitOf(ranges);
+  NormalEquations equations(samples, mesh, samples.numberOfPatternValues());
   std::vector<Foot> heldOut;
   forEachFoot(
     samples, tree, samples.size(), {},
@@ -191,14 +218,14 @@ Columns fitPatternValues(const TrainingSamples& samples, const Mesh& mesh, const
         heldOut.push_back(foot);
         return;
       }
-      equations.add(foot);
+      equations.add(foot, scaledValues(samples, i, unit).data());
     },
     steps.next());
   double smoothness = Smoothnesses.front(), best = std::numeric_limits<double>::infinity();
   for (const double candidate : Smoothnesses)
   {
-    const double error =
-      errorAt(samples, mesh, equations.solve(candidate, steps.next()), heldOut, unit);
+    const Columns values = unit * equations.solve(candidate, steps.next());
+    const double error = errorAt(samples, mesh, values, heldOut, unit);
     if (error < best)
     {
       best = error;
@@ -207,13 +234,173 @@ Columns fitPatternValues(const TrainingSamples& samples, const Mesh& mesh, const
   }
   for (const Foot& foot : heldOut)
   {
-    equations.add(foot);
+    equations.add(foot, scaledValues(samples, foot.Sample, unit).data());
   }
-  Columns values = equations.solve(smoothness, steps.next());
+  Columns values = unit * equations.solve(smoothness, steps.next());
   for (Index c = 0; c < values.cols(); ++c)
   {
     values.col(c) = values.col(c).cwiseMax(-ranges[c]).cwiseMin(ranges[values.cols() + c]);
   }
-  return values;
+  return { std::move(values), smoothness };
+}
+
+/// Mesh whose vertices have coordinates and pattern values: #V columns of 3 + D numbers.
+struct PatternMesh
+{
+  PatternMesh(const Mesh& mesh, const Columns& values)
+    : Triangles(mesh.Triangles)
+    , Around(vertexTriangles(mesh.Triangles, mesh.Positions.rows()))
+    , Weights(3 + values.cols(), mesh.Positions.rows())
+  {
+    this->Weights.topRows(3) = mesh.Positions.transpose();
+    this->Weights.bottomRows(values.cols()) = values.transpose();
+  }
+
+  FootPoint footOn(int triangle, const Eigen::VectorXd& x) const
+  {
+    const auto ids = this->Triangles.row(triangle);
+    const TriangleInSpace simplex = toSpace(x.data(), this->Weights.col(ids[0]).data(),
+      this->Weights.col(ids[1]).data(), this->Weights.col(ids[2]).data(), x.size());
+    FootPoint foot = closestPointOfTriangle(simplex.X, simplex.A, simplex.B, simplex.C);
+    foot.Triangle = triangle;
+    return foot;
+  }
+
+  /// Find the closest point in all dimensions, by steps from triangle to triangle. The first
+  /// triangle is the closest one in three dimensions.
+  FootPoint project(const Eigen::VectorXd& x, int triangle) const
+  {
+    constexpr int maximumSteps = 4;
+    FootPoint best = this->footOn(triangle, x);
+    for (int step = 0; step < maximumSteps; ++step)
+    {
+      const int from = best.Triangle;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int vertex = this->Triangles(from, k);
+        for (const int* r = this->Around.begin(vertex); r != this->Around.end(vertex); ++r)
+        {
+          const FootPoint foot = this->footOn(*r, x);
+          if (foot.SquareDistance < best.SquareDistance)
+          {
+            best = foot;
+          }
+        }
+      }
+      if (best.Triangle == from)
+      {
+        break;
+      }
+    }
+    return best;
+  }
+
+  const conformal::Triangles& Triangles;
+  const Adjacency Around;
+  Columns Weights;
+};
+
+/// Halve the moves of the corners of triangles that would turn over or become too thin.
+void limitMoves(const Mesh& mesh, Points& moves)
+{
+  constexpr int rounds = 6;
+  const auto quality = [](const Vector3& a, const Vector3& b, const Vector3& c)
+  {
+    const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+    return 2.0 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / squares; // 1 if equilateral
+  };
+  for (int round = 0; round < rounds; ++round)
+  {
+    std::vector<char> isLimited(mesh.Positions.rows(), 0);
+    for (Index r = 0; r < mesh.Triangles.rows(); ++r)
+    {
+      Vector3 before[3], after[3];
+      for (int k = 0; k < 3; ++k)
+      {
+        before[k] = mesh.Positions.row(mesh.Triangles(r, k));
+        after[k] = before[k] + Vector3(moves.row(mesh.Triangles(r, k)));
+      }
+      const Vector3 normal = (before[1] - before[0]).cross(before[2] - before[0]);
+      const double now = quality(after[0], after[1], after[2]);
+      if ((after[1] - after[0]).cross(after[2] - after[0]).dot(normal) <= 0.0 ||
+        (now < MinimumQuality && now < quality(before[0], before[1], before[2])))
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          isLimited[mesh.Triangles(r, k)] = 1;
+        }
+      }
+    }
+    for (Index v = 0; v < moves.rows(); ++v)
+    {
+      if (isLimited[v])
+      {
+        moves.row(v) *= round + 1 < rounds ? 0.5 : 0.0;
+      }
+    }
+  }
+}
+}
+
+Columns fitPatternValues(const TrainingSamples& samples, const Mesh& mesh, const Run& run)
+{
+  return fitValues(samples, mesh, run).Values;
+}
+
+void alignWithPatternValues(const TrainingSamples& samples, Mesh& mesh, const Run& run)
+{
+  if (samples.dimension() < 3)
+  {
+    return;
+  }
+  const Mesh shape = mesh;
+  const TriangleTree surface(shape.Positions, shape.Triangles, run.unwatched());
+  Steps steps(run, std::vector<double>(NumberOfAlignments + 1, 1.0));
+  const FittedValues fitted = fitValues(samples, mesh, steps.next());
+  Columns values = fitted.Values;
+  for (int round = 0; round < NumberOfAlignments; ++round)
+  {
+    const Run aligning = steps.next();
+    const PatternMesh full(mesh, values);
+    const TriangleTree tree(mesh.Positions, mesh.Triangles, aligning.unwatched());
+    const Index size = samples.numberOfPatternValues();
+    NormalEquations equations(samples, mesh, 3);
+    NormalEquations valueEquations(samples, mesh, size);
+    const double unit = unitOf(rangesOf(samples));
+    const auto closest = [&](Index id, const Vector3& x, int hint)
+    {
+      Eigen::VectorXd pattern(3 + size);
+      pattern << x, Eigen::Map<const Eigen::VectorXd>(samples.patternValues(id), size);
+      return full.project(pattern, tree.closestPoint(x, hint).Triangle);
+    };
+    forEachFoot(
+      samples, closest, samples.size(), {},
+      [&](Index i, const Vector3& x, const FootPoint& found)
+      {
+        Vector3 residual = x;
+        for (int k = 0; k < 3; ++k)
+        {
+          residual -=
+            found.Barycentric[k] * Vector3(mesh.Positions.row(mesh.Triangles(found.Triangle, k)));
+        }
+        const Foot foot = { i, found.Triangle, found.Barycentric };
+        equations.add(foot, residual.data());
+        valueEquations.add(foot, scaledValues(samples, i, unit).data());
+      },
+      aligning.part(0.0, 0.9));
+    Points moves = equations.solve(MoveSmoothness, aligning.unwatched());
+    const Points normals = vertexNormals(mesh.Positions, mesh.Triangles);
+    for (Index v = 0; v < moves.rows(); ++v)
+    {
+      const Vector3 normal = normals.row(v), move = moves.row(v);
+      const Vector3 along = move - normal.dot(move) * normal;
+      const Vector3 wanted = Vector3(mesh.Positions.row(v)) + along;
+      moves.row(v) = surface.closestPoint(wanted).Position - Vector3(mesh.Positions.row(v));
+    }
+    limitMoves(mesh, moves);
+    mesh.Positions += moves;
+    values = unit * valueEquations.solve(fitted.Smoothness, aligning.unwatched());
+    aligning.report(1.0);
+  }
 }
 }

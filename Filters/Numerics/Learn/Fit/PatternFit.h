@@ -31,6 +31,24 @@ namespace conformal
 /// @throws Aborted
 /// @post The result does not depend on the number of threads or ranks, bit by bit.
 Columns fitPatternValues(const TrainingSamples& samples, const Mesh& mesh, const Run& run = {});
+
+/// Move the vertices of a mesh along its surface, so that edges of triangles follow steps of the
+/// samples' pattern values.
+///
+/// In each of 8 rounds, each sample is projected to the mesh in all dimensions, as in step 3 of
+/// \cite Liou2008. Near a step of the values, samples are thus projected to the side of the step
+/// with equal values. Vertices then move toward their samples, by the least-squares fit of
+/// fitPatternValues() for moves, which squeezes the triangles on the step. Own construction: only
+/// moves along the surface are made, so that the shape of the mesh remains that of the coordinates.
+/// Triangles do not turn over. If the samples lie in a plane, nothing moves.
+///
+/// Implementation note: \cite Liou2008 moves neurons in all dimensions at once. In the fit of Batch
+/// mode, distances of the coordinates are measured along normals of the surface, which exist in
+/// three dimensions only.
+/// @param[in,out] mesh  vertices in the samples' unit, and triangles. All vertices are connected.
+/// @throws Aborted
+/// @post The result does not depend on the number of threads or ranks, bit by bit.
+void alignWithPatternValues(const TrainingSamples& samples, Mesh& mesh, const Run& run = {});
 }
 
 #endif

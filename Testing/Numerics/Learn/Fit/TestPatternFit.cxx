@@ -3,6 +3,7 @@
 #include "Mesh/GeodesicSphere.h"
 #include "Ranks.h"
 #include "Runs.h"
+#include "Search/TriangleTree.h"
 #include "Sheets.h"
 
 #include <gtest/gtest.h>
@@ -102,6 +103,55 @@ TEST(PatternFit, NoiseIsSmoothed)
   EXPECT_LT(rms, 0.2); // the noise has 0.41
 }
 
+// Vertices move toward the step, along the surface; without a step, they hardly move.
+TEST(PatternFit, AlignmentMovesVerticesToSteps)
+{
+  const Points points = sheets::pointsAbove(-1.0, Size, 3);
+  TrainingSamples samples(points);
+  const Mesh before = meshOf(samples);
+  const auto aligned = [&](Index row)
+  {
+    const Columns values = 0.2 * valuesOf(points).row(row);
+    samples.setPatternValues(values);
+    Mesh mesh = before;
+    conformal::alignWithPatternValues(samples, mesh);
+    return mesh;
+  };
+  // Mean error of the step at other points
+  const Points others = sheets::pointsAbove(-1.0, Size, 5);
+  const auto error = [&](const Mesh& mesh)
+  {
+    const Columns values = valuesOf(points).row(1), wanted = valuesOf(others).row(1);
+    samples.setPatternValues(values);
+    const Columns fitted = fitPatternValues(samples, mesh);
+    const conformal::TriangleTree tree(mesh.Positions, mesh.Triangles);
+    double sum = 0.0;
+    for (Index i = 0; i < others.rows(); ++i)
+    {
+      const conformal::FootPoint foot = tree.closestPoint(samples.normalize(others.row(i)));
+      double value = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        value += foot.Barycentric[k] * fitted(mesh.Triangles(foot.Triangle, k), 0);
+      }
+      sum += std::abs(value - wanted(0, i));
+    }
+    return sum;
+  };
+  const Mesh smooth = aligned(0), stepped = aligned(1);
+  EXPECT_LT((smooth.Positions - before.Positions).rowwise().norm().maxCoeff(), 0.03);
+  EXPECT_GT((stepped.Positions - before.Positions).rowwise().norm().maxCoeff(), 0.04);
+  EXPECT_LT(error(stepped), 0.6 * error(before));
+  EXPECT_LT(
+    (samples.restoreAll(stepped.Positions).rowwise().norm().array() - 1.0).abs().maxCoeff(), 0.02);
+  EXPECT_EQ(aligned(1).Positions, stepped.Positions);
+  const Columns values = 0.2 * valuesOf(points).row(1);
+  samples.setPatternValues(values);
+  Mesh backwards = before;
+  conformal::alignWithPatternValues(samples, backwards, runs::backwards());
+  EXPECT_EQ(backwards.Positions, stepped.Positions);
+}
+
 TEST(PatternFit, UnitsThreadsAndRanksChangeNoBit)
 {
   const Points points = sheets::pointsAbove(-1.0, Size, 3);
@@ -114,6 +164,8 @@ TEST(PatternFit, UnitsThreadsAndRanksChangeNoBit)
   TrainingSamples other(points);
   other.setPatternValues(large);
   EXPECT_EQ(fitPatternValues(other, mesh), Columns(512.0 * expected));
+  Mesh aligned = mesh;
+  conformal::alignWithPatternValues(samples, aligned);
   ranks::run(3,
     [&](const conformal::Reduce& reduce)
     {
@@ -123,6 +175,9 @@ TEST(PatternFit, UnitsThreadsAndRanksChangeNoBit)
       TrainingSamples part(own, {}, {}, reduce);
       part.setPatternValues(ownValues);
       EXPECT_EQ(fitPatternValues(part, mesh), expected);
+      Mesh moved = mesh;
+      conformal::alignWithPatternValues(part, moved);
+      EXPECT_EQ(moved.Positions, aligned.Positions);
     });
 }
 
