@@ -66,7 +66,8 @@ Case SphericalSOM()
       f->SetInputData(TableOf(BumpyCloud(scale, 500)));
       f->StandardizeOff();
     },
-    { { "X", 1 }, { "Y", 1 }, { "Z", 1 }, { "UMatrix", 1 }, { "QuantizationError", 1 } }) };
+    { { "Points", 0 }, { "X", 1 }, { "Y", 1 }, { "Z", 1 }, { "UMatrix", 1 },
+      { "QuantizationError", 1 } }) };
   all.Progress = { { "many rows",
     []() -> Maker
     {

@@ -250,10 +250,9 @@ TEST(SphericalSOM, SameBitsOnAnyBackendAndNumberOfThreads)
 {
   const auto winners = [](const char* backend, int threads)
   {
-    vtkSMPTools::SetBackend(backend);
-    vtkSMPTools::Initialize(threads);
     auto filter = MakeFilter(MakeTable());
-    filter->Update();
+    vtkSMPTools::LocalScope(
+      vtkSMPTools::Config(threads, backend, false), [&]() { filter->Update(); });
     vtkDataArray* weights = filter->GetOutput()->GetPointData()->GetArray("Small");
     std::vector<double> values;
     for (vtkIdType i = 0; i < weights->GetNumberOfTuples(); ++i)
