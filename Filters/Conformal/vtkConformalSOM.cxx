@@ -8,6 +8,7 @@
 #include "Glue/CloudWarnings.h"
 #include "Glue/LearningStages.h"
 #include "Glue/Meshes.h"
+#include "Glue/PatternArrays.h"
 #include "Glue/Points.h"
 #include "Glue/Processes.h"
 #include "Glue/Run.h"
@@ -182,15 +183,18 @@ conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vt
   return OwnMesh(self, input, must, samples, frame, processes, run);
 }
 
-// Memory of the normals and of the scanners of points.
+// Memory of the normals, the scanners and the pattern values of points, and numbers of points that
+// are left out.
 struct PointAttributes
 {
+  glue::LeftOut LeftOut;
   glue::CloudNormals Normals;
   conformal::Points Scanners;
+  glue::PatternArrays Patterns;
 };
 
-// Set the normals and the scanners of the samples to those of the input. Online learning uses
-// neither.
+// Set the normals, the scanners and the pattern values of the samples to those of the input. Online
+// learning uses neither normals nor scanners.
 void SetAttributes(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   const conformal::ConformalSOMOptions& options, conformal::TrainingSamples& samples,
   PointAttributes& attributes)
@@ -199,6 +203,10 @@ void SetAttributes(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   {
     glue::SetNormals(input, frame, options.HullMethod, samples, attributes.Normals);
     glue::SetScanners(input, frame, samples, attributes.Scanners);
+  }
+  if (!attributes.Patterns.Arrays.empty())
+  {
+    samples.setPatternValues(attributes.Patterns.Values);
   }
 }
 
@@ -219,9 +227,15 @@ void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
 
 // Warn of defects of the input's points, and of points that are left out.
 void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable,
-  const glue::LeftOut& leftOut, conformal::Side side)
+  const conformal::FarPoints& far, const PointAttributes& attributes, conformal::Side side)
 {
-  WarnAbout(self, leftOut, samples, side);
+  WarnAbout(self, attributes.LeftOut, samples, side);
+  if (attributes.Patterns.NumberOfUnusable > 0)
+  {
+    vtkWarningWithObjectMacro(self, << attributes.Patterns.NumberOfUnusable
+                                    << " points have a value that is not finite in a pattern "
+                                       "array, and are left out");
+  }
   if (unusable > 0)
   {
     vtkWarningWithObjectMacro(
@@ -243,6 +257,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
                                                                       : "all equal")
                                     << "; the mesh is flat");
   }
+  glue::WarnOfFarPoints(self, far);
 }
 
 // Warn of defects of the mesh, and recommend remedies.
@@ -429,14 +444,17 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   AddNumber(data, "VertexShift", vertexShift);
 }
 
-// Learn the mesh, and warn of its defects on the first process.
-conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
+// Learn the mesh, and warn of its defects on the first process. The steps are the mesh from which
+// learning starts, and learning.
+conformal::ConformalSOMResult Learn(vtkConformalSOM* self, vtkPointSet* input, vtkPolyData* start,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
-  const conformal::MappedMesh& start, const glue::Processes& processes, const conformal::Run& run)
+  const conformal::CoordinateFrame& frame, glue::Processes& processes, conformal::Steps& steps)
 {
-  const bool hasStart = start.Positions.rows() > 0;
+  const conformal::MappedMesh mesh =
+    StartingMesh(self, input, start, options, samples, frame, processes, steps.next());
+  const bool hasStart = mesh.Positions.rows() > 0;
   conformal::ConformalSOMResult result =
-    conformal::trainConformalSOM(samples, options, hasStart ? &start : nullptr, run);
+    conformal::trainConformalSOM(samples, options, hasStart ? &mesh : nullptr, steps.next());
   if (processes.isFirst())
   {
     WarnAbout(self, result, samples);
@@ -448,7 +466,8 @@ conformal::ConformalSOMResult Learn(vtkConformalSOM* self,
 // Make the output surface, equal on all ranks, in two steps: quantization errors and vertex shift.
 vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
-  const glue::LeftOut& leftOut, const conformal::CoordinateFrame& frame, conformal::Steps& steps)
+  const PointAttributes& attributes, const conformal::CoordinateFrame& frame,
+  conformal::Steps& steps)
 {
   vtkNew<vtkPolyData> surface;
   glue::SetSurface(surface, result.Positions, result.Triangles, frame);
@@ -468,6 +487,7 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   }
   glue::AddLengths(surface->GetPointData(), "QuantizationError",
     conformal::quantizationErrors(samples, result, options, steps.next()), frame);
+  glue::AddPatternArrays(surface->GetPointData(), attributes.Patterns, result.PatternValues);
   const bool isFitted =
     options.TrainingMode == conformal::TrainingMode::Batch && options.Fit.Iterations > 0;
   const conformal::Run shifting = steps.next();
@@ -475,8 +495,8 @@ vtkNew<vtkPolyData> SurfaceOf(const conformal::ConformalSOMResult& result,
   AddFigures(surface->GetFieldData(), samples, result, shift, frame);
   using glue::AddNumber;
   vtkFieldData* data = surface->GetFieldData();
-  AddNumber(data, "NumberOfGroundPoints", static_cast<long long>(leftOut.Ground));
-  AddNumber(data, "NumberOfOtherLayerPoints", static_cast<long long>(leftOut.Layer));
+  AddNumber(data, "NumberOfGroundPoints", static_cast<long long>(attributes.LeftOut.Ground));
+  AddNumber(data, "NumberOfOtherLayerPoints", static_cast<long long>(attributes.LeftOut.Layer));
   return surface;
 }
 
@@ -533,6 +553,23 @@ vtkConformalSOM::~vtkConformalSOM()
 }
 
 //------------------------------------------------------------------------------
+void vtkConformalSOM::AddPatternArray(const char* name, double weight)
+{
+  this->PatternArrays.emplace_back(name ? name : "", weight);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkConformalSOM::RemoveAllPatternArrays()
+{
+  if (!this->PatternArrays.empty())
+  {
+    this->PatternArrays.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkConformalSOM::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPointSet" : "vtkPolyData");
@@ -566,6 +603,7 @@ int vtkConformalSOM::RequestData(
   std::vector<conformal::LearningStage> stages;
   conformal::ConformalSOMOptions options = OptionsOf(this, stages);
   const std::string priorityName = this->PriorityArrayName ? this->PriorityArrayName : "";
+  const glue::WeightedNames patternNames = this->PatternArrays;
   const bool inPieces = this->DistributeOutput;
   const glue::CloudPart part = PartOf(this);
   return glue::RunCore(this, this->Controller,
@@ -576,24 +614,22 @@ int vtkConformalSOM::RequestData(
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       glue::CloudInput cloud;
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
+      PointAttributes attributes;
+      glue::ReadPatternArrays(input, patternNames, processes.reduce(), cloud, attributes.Patterns);
       options.Opening.HoleSize /= cloud.Frame.Unit;
       conformal::Steps steps(processes.run(), { 0.04, 0.02, 0.88, 0.02, 0.02, 0.02 });
-      glue::LeftOut leftOut;
-      conformal::TrainingSamples samples =
-        glue::SelectedSamples(cloud, priorities, part, processes.reduce(), steps.next(), leftOut);
-      PointAttributes attributes;
+      conformal::TrainingSamples samples = glue::SelectedSamples(
+        cloud, priorities, part, processes.reduce(), steps.next(), attributes.LeftOut);
       SetAttributes(input, cloud.Frame, options, samples, attributes);
       if (processes.isFirst())
       {
-        WarnAbout(this, samples, unusable, leftOut, part.Side);
-        glue::WarnOfFarPoints(this, cloud.Far);
+        WarnAbout(this, samples, unusable, cloud.Far, attributes, part.Side);
       }
       if (!samples.empty())
       {
-        const conformal::MappedMesh mesh =
-          StartingMesh(this, input, start, options, samples, cloud.Frame, processes, steps.next());
-        const auto result = Learn(this, samples, options, mesh, processes, steps.next());
-        const auto surface = SurfaceOf(result, samples, options, leftOut, cloud.Frame, steps);
+        const auto result =
+          Learn(this, input, start, samples, options, cloud.Frame, processes, steps);
+        const auto surface = SurfaceOf(result, samples, options, attributes, cloud.Frame, steps);
         SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());
         steps.next();
         glue::KeepOwnShare(surface, inPieces, processes);
@@ -616,6 +652,7 @@ void vtkConformalSOM::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "PriorityArrayName: " << (this->PriorityArrayName ? this->PriorityArrayName : "(none)")
      << "\n";
+  os << indent << "NumberOfPatternArrays: " << this->PatternArrays.size() << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
   os << indent << "ReferencePoint: " << references[this->ReferencePoint] << "\n";
   os << indent << "NumberOfEpochs: " << this->NumberOfEpochs << "\n";

@@ -48,6 +48,8 @@
  * - point array "QuantizationError" (double, 1 component): root mean square distance between a
  *   neuron and the input points assigned to this neuron; 0 if no points are assigned. If the input
  *   has more than 12 points for each neuron, only a selection of 12 points for each neuron is used.
+ * - point arrays of AddPatternArray (type and components of the array of the input): learned values
+ *   of the points of the mesh.
  * - field data "AffineRank" (1 value): dimension of the space that the points span. The value is 3
  *   in general, 2 for points in a plane, 1 for points on a line, and 0 for equal points. If the
  *   value is below 3, the mesh is valid but flat, and there is a warning.
@@ -124,6 +126,7 @@
  * "LearningRate" is alpha(t); the property OnlineConstants defines these functions.
  * "MeanSquareError" is the mean square distance between the mesh and the points that were used in
  * the epoch, pass or iteration. "MeanDisplacement" is the mean distance by which the neurons moved.
+ * With ONLINE, "MeanSquareError" contains the values of AddPatternArray.
  * In "MeanSquareError" and "MeanDisplacement", the unit of length is the largest distance of an
  * input point from the centroid of the points.
  *
@@ -174,6 +177,10 @@
 
 #include "vtkFiltersConformalModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
+
+#include <string>  // for names of arrays
+#include <utility> // for pairs
+#include <vector>  // for lists of arrays
 
 class vtkMultiProcessController;
 
@@ -321,6 +328,35 @@ public:
    */
   vtkSetStringMacro(PriorityArrayName);
   vtkGetStringMacro(PriorityArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Add a point array of the input whose values are learned with the coordinates, such as colors.
+   * The arguments are the name of the array and its weight, in (0, 1000]. The learned values are a
+   * point array of the mesh with the same name and type. Integer arrays with 1 component are
+   * labels, which are not averaged; at most 64 different labels. Default is none.
+   *
+   * Each component of an array of numbers is shifted to the middle of its range. The array is then
+   * divided by half of the largest range, so that its values are in [-1, 1], as the coordinates in
+   * learning. With the weight 1, a change over the whole range thus counts as much as a distance
+   * from one side of the object to the other. A label is a dimension of its own: the weight at
+   * points with this label, and 0 at other points.
+   *
+   * In online learning, patterns and weight vectors of neurons have the coordinates and these
+   * values. The winner, the projection onto the mesh and the update (Eqs. 3 to 5 of the paper) are
+   * those of all dimensions. In batch learning, the shape is learned from the coordinates. Points
+   * of the mesh then move along the surface, so that its edges follow steps of the values: the
+   * input's points are projected in all dimensions. The values of the mesh are finally fitted by
+   * least squares. With a larger weight, edges follow steps more closely, and the mesh is farther
+   * from the points. 0.1 is suitable for colors.
+   *
+   * Points with a value that is not finite are left out with a warning. With several processes, all
+   * processes with points must have the arrays.
+   */
+  void AddPatternArray(const char* name, double weight);
+  void RemoveAllPatternArrays();
+  int GetNumberOfPatternArrays() { return static_cast<int>(this->PatternArrays.size()); }
   ///@}
 
   ///@{
@@ -604,6 +640,7 @@ private:
   int NumberOfNeurons = 0;
   int TrainingMode = BATCH;
   char* PriorityArrayName = nullptr;
+  std::vector<std::pair<std::string, double>> PatternArrays;
   int RandomSeed = 1;
   int ReferencePoint = AUTOMATIC_REFERENCE;
   int NumberOfEpochs = 80;

@@ -78,6 +78,19 @@ std::vector<Mode> Modes()
   Mode onlineFromMesh = QuickMode(
     "Online, from a mesh", { Good(), Good() }, [](F* f) { f->SetTrainingModeToOnline(); });
   onlineFromMesh.MixesUnits = true;
+  Mode pattern = QuickMode("pattern array", one, [](F* f) { f->AddPatternArray("Priority", 0.5); });
+  pattern.Properties = { Values<F, double>("PatternArrays", ExtremeValues(),
+    [](F* f, const double& weight)
+    {
+      f->RemoveAllPatternArrays();
+      f->AddPatternArray("Priority", weight);
+    }) };
+  const Mode patternOnline = QuickMode("Online, pattern array", variant,
+    [](F* f)
+    {
+      f->SetTrainingModeToOnline();
+      f->AddPatternArray("Priority", 0.5);
+    });
   return { batch, adaptive, open, online, fromMesh, onlineFromMesh,
     QuickMode("Online, Winner", variant,
       [](F* f)
@@ -87,8 +100,8 @@ std::vector<Mode> Modes()
       }),
     QuickMode("Sphere", variant, [](F* f) { f->SetStartingShapeToSphere(); }),
     QuickMode("Hull", variant, [](F* f) { f->SetStartingShapeToHull(); }),
-    QuickMode("Priority", one, [](F* f) { f->SetPriorityArrayName("Priority"); }),
-    QuickMode("distributed", variant, [](F* f) { f->DistributeOutputOn(); }) };
+    QuickMode("Priority", one, [](F* f) { f->SetPriorityArrayName("Priority"); }), pattern,
+    patternOnline, QuickMode("distributed", variant, [](F* f) { f->DistributeOutputOn(); }) };
 }
 
 // Between units, batch learning differs by its steps of 2^-38, and online learning enlarges any

@@ -13,6 +13,7 @@
 #include "vtkGeodesicSphereSource.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkMassProperties.h"
 #include "vtkMath.h"
 #include "vtkMinimalStandardRandomSequence.h"
@@ -1025,6 +1026,201 @@ TEST(ConformalSOM, BadPrioritiesCountAsZeroWithAWarning)
   EXPECT_FALSE(observed.Error());
   EXPECT_NE(observed.WarningMessage().find("200 priorities"), std::string::npos);
   EXPECT_EQ(a->GetOutput()->GetPoint(9)[1], b->GetOutput()->GetPoint(9)[1]);
+}
+
+namespace
+{
+// Add a color, red on one side and blue on the other, a number and a label of the side.
+void AddPatterns(vtkPolyData* cloud)
+{
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("RGB");
+  colors->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> numbers;
+  numbers->SetName("Height");
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Side");
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    const double* x = cloud->GetPoint(i);
+    const bool isRed = x[0] > 5.0;
+    colors->InsertNextTuple3(isRed ? 200.0 : 10.0, 50.0, isRed ? 10.0 : 200.0);
+    numbers->InsertNextValue(static_cast<float>(1000.0 + x[2]));
+    labels->InsertNextValue(isRed ? 7 : -3);
+  }
+  cloud->GetPointData()->AddArray(colors);
+  cloud->GetPointData()->AddArray(numbers);
+  cloud->GetPointData()->AddArray(labels);
+}
+
+vtkSmartPointer<vtkConformalSOM> MakePatternFilter(vtkPolyData* cloud, bool online)
+{
+  auto filter = MakeFilter(cloud);
+  filter->SetTrainingMode(online ? vtkConformalSOM::ONLINE : vtkConformalSOM::BATCH);
+  filter->SetNumberOfEpochs(80);
+  filter->SetSamplesPerEpoch(2500);
+  filter->AddPatternArray("RGB", 0.3);
+  filter->AddPatternArray("Height", 0.3);
+  filter->AddPatternArray("Side", 0.3);
+  return filter;
+}
+}
+
+TEST(ConformalSOM, LearnsPatternArraysInBothModes)
+{
+  auto cloud = MakeCloud(3000);
+  AddPatterns(cloud);
+  for (const bool online : { false, true })
+  {
+    auto filter = MakePatternFilter(cloud, online);
+    contract::Observed observed(filter);
+    filter->Update();
+    EXPECT_FALSE(observed.Error()) << observed.ErrorMessage();
+    ExpectMesh(filter);
+    vtkPolyData* mesh = filter->GetOutput();
+    contract::ExpectArray(
+      mesh->GetPointData(), "RGB", VTK_UNSIGNED_CHAR, 3, mesh->GetNumberOfPoints());
+    contract::ExpectArray(mesh->GetPointData(), "Height", VTK_FLOAT, 1, mesh->GetNumberOfPoints());
+    contract::ExpectArray(mesh->GetPointData(), "Side", VTK_INT, 1, mesh->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      const double* x = mesh->GetPoint(i);
+      const double label = mesh->GetPointData()->GetArray("Side")->GetTuple1(i);
+      EXPECT_TRUE(label == 7.0 || label == -3.0);
+      EXPECT_NEAR(
+        mesh->GetPointData()->GetArray("Height")->GetTuple1(i), 1000.0 + x[2], online ? 0.4 : 0.05);
+      double color[3];
+      mesh->GetPointData()->GetArray("RGB")->GetTuple(i, color);
+      EXPECT_EQ(color[1], 50.0);
+      if (std::abs(x[0] - 5.0) > (online ? 1.2 : 0.8))
+      {
+        EXPECT_EQ(label, x[0] > 5.0 ? 7.0 : -3.0);
+        EXPECT_NEAR(color[0], x[0] > 5.0 ? 200.0 : 10.0, online ? 60.0 : 12.0);
+      }
+    }
+  }
+}
+
+// Edges follow the step of the colors, on both types of meshes; the shape stays.
+TEST(ConformalSOM, BatchMeshesFollowStepsOfPatternArrays)
+{
+  auto cloud = MakeCloud(5000);
+  AddPatterns(cloud);
+  for (const int type : { vtkConformalSOM::GEODESIC, vtkConformalSOM::ADAPTIVE })
+  {
+    const auto learned = [&](bool withPatterns)
+    {
+      auto filter = MakeFilter(cloud);
+      filter->SetMeshType(type);
+      if (withPatterns)
+      {
+        filter->AddPatternArray("RGB", 0.2);
+      }
+      filter->Update();
+      ExpectMesh(filter);
+      return filter;
+    };
+    // Mean width of the triangles across the plane x = 5, where the color changes
+    const auto width = [](vtkPolyData* mesh)
+    {
+      double sum = 0.0;
+      int count = 0;
+      for (vtkIdType r = 0; r < mesh->GetNumberOfCells(); ++r)
+      {
+        double bounds[6];
+        mesh->GetCellBounds(r, bounds);
+        if (bounds[0] < 5.0 && bounds[1] > 5.0)
+        {
+          sum += bounds[1] - bounds[0];
+          ++count;
+        }
+      }
+      return sum / count;
+    };
+    auto plain = learned(false), filter = learned(true);
+    EXPECT_LT(width(filter->GetOutput()), 0.75 * width(plain->GetOutput()));
+    for (vtkIdType i = 0; i < filter->GetOutput()->GetNumberOfPoints(); ++i)
+    {
+      const double* x = filter->GetOutput()->GetPoint(i);
+      const double square = (x[0] - 5.0) * (x[0] - 5.0) / 9.0 + x[1] * x[1] / 4.0 + x[2] * x[2];
+      EXPECT_NEAR(square, 1.0, 0.1);
+    }
+    if (type == vtkConformalSOM::ADAPTIVE)
+    {
+      EXPECT_LT(Figure(filter, "MeanQuasiConformalError"), 1.2);
+    }
+    EXPECT_EQ(filter->GetNumberOfPatternArrays(), 1);
+    filter->RemoveAllPatternArrays();
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("RGB"), nullptr);
+    ExpectSamePoints(plain, filter);
+  }
+}
+
+TEST(ConformalSOM, PatternArraysThatCannotBeUsedAreErrors)
+{
+  auto cloud = MakeCloud(300);
+  AddPatterns(cloud);
+  const auto refused = [&](const char* name, double weight, const char* message)
+  {
+    auto filter = MakeFilter(cloud);
+    filter->AddPatternArray("Height", 1.0);
+    filter->AddPatternArray(name, weight);
+    contract::Observed observed(filter);
+    filter->Update();
+    observed.ExpectError(message);
+    ExpectEmpty(filter);
+  };
+  refused("missing", 1.0, "no point array \"missing\"");
+  refused("RGB", 0.0, "weight of the pattern array \"RGB\"");
+  refused("RGB", std::numeric_limits<double>::quiet_NaN(), "weight");
+  refused("RGB", 1001.0, "weight");
+  refused("Height", 1.0, "twice");
+  refused("Supported", 1.0, "cannot have the name \"Supported\"");
+  vtkNew<vtkStringArray> words;
+  words->SetName("words");
+  words->SetNumberOfTuples(300);
+  cloud->GetPointData()->AddArray(words);
+  refused("words", 1.0, "no point array \"words\" with numbers");
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("ids");
+  for (int i = 0; i < 300; ++i)
+  {
+    ids->InsertNextValue(i);
+  }
+  cloud->GetPointData()->AddArray(ids);
+  refused("ids", 1.0, "more than 64 different");
+}
+
+TEST(ConformalSOM, PointsWithPatternValuesThatAreNotFiniteAreLeftOut)
+{
+  auto cloud = MakeCloud(1000);
+  AddPatterns(cloud);
+  vtkNew<vtkPolyData> rest;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  auto* heights = vtkFloatArray::SafeDownCast(cloud->GetPointData()->GetArray("Height"));
+  for (vtkIdType i = 0; i < 1000; ++i)
+  {
+    if (i % 10 == 3)
+    {
+      heights->SetValue(i, std::numeric_limits<float>::infinity());
+      continue;
+    }
+    points->InsertNextPoint(cloud->GetPoint(i));
+  }
+  rest->SetPoints(points);
+  AddPatterns(rest);
+  for (const bool online : { false, true })
+  {
+    auto a = MakePatternFilter(cloud, online), b = MakePatternFilter(rest, online);
+    contract::Observed observed(a);
+    a->Update();
+    b->Update();
+    EXPECT_FALSE(observed.Error());
+    observed.ExpectWarning("100 points have a value that is not finite in a pattern array");
+    ExpectSamePoints(a, b);
+  }
 }
 
 TEST(ConformalSOM, GhostPointsAreSkipped)

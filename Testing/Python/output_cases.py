@@ -16,7 +16,7 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject, vtkPoints
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -257,6 +257,19 @@ def coefficients():
     for name, axis in (("X", 1), ("Y", -1), ("Z", 0)):
         add(table.GetRowData(), name, np.where(
             (degree == 1) & (order == axis), 2.0, 0.1 * ((7 * degree + 3 * order) % 5 - 2.0) / (1.0 + degree)**2))
+    return table
+
+
+def measurements():
+    """A table of two kinds of rows, with a column of their names."""
+    table, numbers = vtkTable(), np.arange(240)
+    for column in range(4):
+        add(table.GetRowData(), f"Column{column}", 3.0 * (numbers % 2) + ((numbers * (7 + column)) % 31) / 31.0)
+    kinds = vtkStringArray()
+    kinds.SetName("Kind")
+    for number in numbers:
+        kinds.InsertNextValue("odd" if number % 2 else "even")
+    table.AddColumn(kinds)
     return table
 
 
@@ -643,6 +656,10 @@ CASES = {
         others={"arrays": several(call("AddPointArray", "Height"), call("AddPointArray", "Flow")),
                 "reference": several(inputs([], coefficients), call("SetAlignmentToMapAndSurface")),
                 "ReconstructionDegree=3": properties_of(ReconstructionDegree=3)}),
+    "vtkSphericalSOM": Filter(
+        inputs(measurements, LabelColumn="Kind"),
+        others={"columns": several(call("AddColumn", "Column2"), call("AddColumn", "Column0")),
+                "NumberOfNeurons=162": properties_of(NumberOfNeurons=162)}),
     "vtkSurfaceHarmonicsSource": Filter(
         inputs(coefficients), inputs(coefficients, Frequency=5),
         others={"ReconstructionDegree=2": properties_of(ReconstructionDegree=2)}),

@@ -226,7 +226,12 @@ def beside_the_chain(stages):
     geodesics.AddSourceId(0)
     geodesics.SetTargetsConnection(stages["vtkConformalSOM"].GetOutputPort())
     geodesics.Update()
-    filters = (check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series, transfer,
+    som = conformalsom.vtkSphericalSOM()
+    som.SetInputData(output_cases.measurements())
+    som.SetLabelColumn("Kind")
+    som.Update()
+    filters = (som, check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series,
+               transfer,
                resample, repair, body, chart, outside, layers, labels, drawn,
                geodesics)
     return {filter_.GetClassName(): filter_ for filter_ in filters}

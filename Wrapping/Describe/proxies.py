@@ -45,7 +45,7 @@ GROUPS = {  # submenus of filters
     "Correspondence": ("SphericalRegistration", "SphericalMorph", "SphericalResample", "SphericalTemplate",
                        "SphericalTimeSeries", "ConsistentRemesh", "DeformationTransfer"),
     "Shape": ("BodyMap", "BodyMapImage", "MapLabels", "MapOutlines", "SurfaceGeodesics", "SurfaceHarmonics",
-              "SurfaceHarmonicsSource", "SurfaceLayers", "SurfaceShape", "VolumeSurfacePoints"),
+              "SphericalSOM", "SurfaceHarmonicsSource", "SurfaceLayers", "SurfaceShape", "VolumeSurfacePoints"),
 }
 DATA_TYPES = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",
               "vtkTable": "a table"}

@@ -30,6 +30,15 @@ public:
   {
   }
 
+  /// Select from samples that are all on this rank.
+  SampleRotation(Index numberOfSamples, unsigned int seed)
+    : Total(numberOfSamples)
+    , First(0)
+    , Last(numberOfSamples)
+    , Start(Random(seed).uniform())
+  {
+  }
+
   /// Select the samples of the next pass.
   /// @param[in] wanted  total number of samples to select, summed over all ranks
   void turn(Index wanted)

@@ -191,6 +191,15 @@ void TrainingSamples::setNormals(const PointView& normals)
   this->Oriented = true;
 }
 
+void TrainingSamples::setPatternValues(const Columns& values)
+{
+  if (values.cols() != this->View.size())
+  {
+    throw std::invalid_argument("there must be as many columns of pattern values as points");
+  }
+  this->PatternValues = &values;
+}
+
 void TrainingSamples::setScanners(const PointView& positions)
 {
   if (positions.size() != this->View.size() && positions.size() != 1)

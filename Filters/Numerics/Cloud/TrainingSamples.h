@@ -94,6 +94,22 @@ public:
   /// Return the vector from sample i to its scanner, in normalized coordinates; 0 if unknown.
   Vector3 toScanner(Index i) const;
 
+  /// Set the pattern values of the points, D by #P: D further dimensions of each point, in the unit
+  /// of the normalized coordinates, finite. The matrix is not copied. Call this function either on
+  /// all ranks or on no rank, with the same D.
+  /// @throws std::invalid_argument if the number of columns differs from the number of points
+  void setPatternValues(const Columns& values);
+  /// Return the number D of pattern values of each sample; 0 if setPatternValues() was not called.
+  Index numberOfPatternValues() const
+  {
+    return this->PatternValues ? this->PatternValues->rows() : 0;
+  }
+  /// Return the D pattern values of sample i.
+  const double* patternValues(Index i) const
+  {
+    return this->PatternValues->data() + this->id(i) * this->PatternValues->rows();
+  }
+
   /// Convert a point from input coordinates to normalized coordinates. The inverse function is
   /// restore().
   Vector3 normalize(const Vector3& x) const { return (x - this->Center) / this->Scale; }
@@ -125,6 +141,7 @@ private:
   PointView View;
   NumberView Weights;
   PointView Normals, Scanners;
+  const Columns* PatternValues = nullptr;
   std::shared_ptr<const SortedSamples> Sorted;
   KeptIds Kept; ///< empty if every point is a sample
   conformal::Reduce Sums;

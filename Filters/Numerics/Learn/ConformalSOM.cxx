@@ -7,6 +7,7 @@
 #include "Cloud/Outliers.h"
 #include "Cloud/SampleRotation.h"
 #include "Learn/FirstSurface.h"
+#include "Learn/Fit/PatternFit.h"
 #include "Learn/Fit/Slivers.h"
 #include "Learn/Fit/Untangling.h"
 #include "Learn/Fit/VertexSupport.h"
@@ -258,10 +259,22 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   const bool isGeodesic = meshTypeFor(options, samples) == MeshType::Geodesic;
   // The vertices of the samples' own mesh are no outliers.
   const bool mayHaveOutliers = !isGeodesic && !(mesh && mesh->SpherePositions.rows() == 0);
-  // Progress: outliers, learning, removal of slivers and self-intersections, conformal map.
-  Steps steps(run,
-    isGeodesic ? std::vector<double>{ 0.0, 1.0, 0.0, 0.0 }
-               : std::vector<double>{ 0.02, 0.77, 0.01, 0.2 });
+  const bool fitsValues =
+    samples.numberOfPatternValues() > 0 && options.TrainingMode == TrainingMode::Batch;
+  Steps parts(run, { fitsValues ? 0.9 : 1.0, fitsValues ? 0.1 : 0.0 }); // mesh, pattern values
+  // Progress: outliers, learning, alignment with pattern values, removal of slivers and
+  // self-intersections, conformal map.
+  std::vector<double> shares =
+    isGeodesic ? std::vector<double>{ 0.0, 1.0 } : std::vector<double>{ 0.02, 0.77 };
+  if (fitsValues)
+  {
+    shares.push_back(0.3);
+  }
+  if (!isGeodesic)
+  {
+    shares.insert(shares.end(), { 0.01, 0.2 });
+  }
+  Steps steps(parts.next(), shares);
   const Run cleaning = steps.next();
   TrainingSamples kept = mayHaveOutliers ? withoutOutliers(samples, cleaning) : samples;
   if (!isGeodesic && kept.size() <= ManyForOne * neuronsOf(options))
@@ -271,6 +284,10 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   ConformalSOMResult result = options.TrainingMode == TrainingMode::Online
     ? learnOnline(kept, options, mesh, steps.next())
     : learnWithNeurons(kept, options, mesh, steps.next());
+  if (fitsValues)
+  {
+    alignWithPatternValues(kept, result, steps.next());
+  }
   if (!isGeodesic)
   {
     const bool isOwnMesh = result.FromMesh && mesh->SpherePositions.rows() == 0;
@@ -298,6 +315,10 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
     {
       openAndMap(kept, opening, result, mapping);
     }
+  }
+  if (fitsValues)
+  {
+    result.PatternValues = fitPatternValues(kept, result, parts.next());
   }
   result.NumberOfOutliers = samples.totalSize() - kept.totalSize();
   if (result.NumberOfHandles == 0)

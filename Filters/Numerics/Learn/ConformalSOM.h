@@ -37,6 +37,12 @@ namespace conformal
 /// be the neighborhood radius of Eq. 3 in \cite Liou2008. To reduce the cost, neurons farther than
 /// 4 sigma from r are not moved. Eq. 3 would move these neurons by less than 3.4e-4 of their
 /// distance from the sample. Documentation/Filters.md describes the effect on results.
+/// Implementation note: if the samples have pattern values (TrainingSamples::setPatternValues()),
+/// samples and weight vectors have more than three dimensions. In Online mode, distances, winners,
+/// projections and updates are those of all dimensions. In Batch mode, the shape is learned from
+/// the coordinates alone, since its fit measures distances along normals in space. The vertices
+/// then move along the surface toward steps of the pattern values, in all dimensions, and the
+/// pattern values of the mesh are fitted (PatternFit.h).
 /// @param[in] samples  at least one sample
 /// @param[in] mesh     start mesh, or null. A start mesh is closed, of genus zero, and in the
 ///   coordinates of the input points.

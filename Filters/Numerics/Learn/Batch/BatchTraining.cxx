@@ -5,6 +5,7 @@
 #include "Base/Steps.h"
 #include "Cloud/FootPoints.h"
 #include "Cloud/SampleRotation.h"
+#include "Learn/Batch/NetworkDiffusion.h"
 #include "Learn/Fit/LeastSquaresFit.h"
 #include "Learn/Fit/NoiseEstimate.h"
 #include "Learn/Fit/SurfaceSupport.h"
@@ -35,42 +36,8 @@ constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5;
 /// fit.
 constexpr double Evenness = 3.0;
 
-/// Number of diffusion steps over the network in the first pass of each network.
-constexpr int WidestDiffusion = 5;
-
-std::vector<int> frequencies(int finest)
-{
-  std::vector<int> levels = { finest };
-  while (levels.back() / 2 >= CoarsestFrequency)
-  {
-    levels.push_back(levels.back() / 2);
-  }
-  std::reverse(levels.begin(), levels.end());
-  return levels;
-}
-
 /// For each neuron, the total weight C of its patterns, then the weighted sum S of its patterns.
 using Shares = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
-
-/// Diffuse by one step. Every neuron keeps half of its sums, and distributes the other half equally
-/// to its neighbors.
-void diffuse(const Adjacency& neighbors, Shares& shares, const Run& run)
-{
-  Shares spread(shares.rows(), 4);
-  forBlocks(run, shares.rows(), BlockSize,
-    [&](Index begin, Index end)
-    {
-      for (Index i = begin; i < end; ++i)
-      {
-        spread.row(i) = 0.5 * shares.row(i);
-        for (const int* j = neighbors.begin(i); j != neighbors.end(i); ++j)
-        {
-          spread.row(i) += 0.5 / neighbors.size(*j) * shares.row(*j);
-        }
-      }
-    });
-  shares.swap(spread);
-}
 
 /// Return the neighborhood radius sigma on the unit sphere for a number of diffusion steps. The
 /// variance of a step in one direction is a quarter of the squared edge length. Here half of the
@@ -86,7 +53,7 @@ double diffusionRadius(int steps, Index triangles)
 Points means(
   const Shares& shares, const Adjacency& neighbors, const Points& weights, const Run& run)
 {
-  const double negligible = 1e-6 * shares.col(0).mean();
+  const double negligible = NegligibleShare * shares.col(0).mean();
   Points moved(weights.rows(), 3);
   forBlocks(run, moved.rows(), BlockSize,
     [&](Index begin, Index end)
@@ -222,8 +189,7 @@ public:
     {
       this->Masses = massesOf(found.Shares, this->Network.Triangles, this->Neighbors);
     }
-    const int diffusions =
-      std::max(1, WidestDiffusion - number * WidestDiffusion / this->Options.PassesPerLevel);
+    const int diffusions = diffusionsOf(number, this->Options.PassesPerLevel);
     for (int step = 0; step < diffusions; ++step)
     {
       diffuse(this->Neighbors, found.Shares, run);
@@ -305,7 +271,7 @@ private:
 FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOptions& options,
   const LevelTest& goesOn, const Run& run)
 {
-  const std::vector<int> levels = frequencies(options.Frequency);
+  const std::vector<int> levels = levelsOf(options.Frequency, CoarsestFrequency);
   FittedMesh result;
   // Typical errors of the last pass on the coarser network, and of the last pass on this network.
   double typicalErrors[2] = {};

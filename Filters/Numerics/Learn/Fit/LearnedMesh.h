@@ -44,6 +44,9 @@ struct TrainingRecord
 struct LearnedMesh : MappedMesh
 {
   std::vector<TrainingRecord> History; ///< one record for each epoch, pass and iteration
+  /// Learned pattern values of the vertices, #V by D, in the unit of the samples' pattern values.
+  /// Empty if the samples have no pattern values.
+  Columns PatternValues;
 };
 
 /// Mesh fitted to samples by least squares, with measurements of the fit.

@@ -16,7 +16,8 @@ using Halves =
   float __attribute__((vector_size(16), aligned(4))); // one float for each element of Doubles
 }
 
-NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights)
+NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights, Index numberOfValues)
+  : NumberOfValues(numberOfValues)
 {
   // The tree splits the neurons at medians, so that adjacent leaves contain neighbors on the
   // sphere.
@@ -29,6 +30,7 @@ NeuronBlocks::NeuronBlocks(const Points& network, const Points& weights)
 
   const std::size_t count = (order.size() + BlockSize - 1) / BlockSize;
   this->Blocks.resize(count);
+  this->Values.assign(count * BlockSize * numberOfValues, 0.0);
   this->BlockBounds.resize(count);
   this->GroupBounds.resize((count + GroupSize - 1) / GroupSize);
   this->PlaceOf.resize(order.size());
@@ -84,7 +86,7 @@ void NeuronBlocks::encloseGroup(std::size_t g)
   this->GroupBounds[g].Weights = box;
 }
 
-int NeuronBlocks::findWinner(const Vector3& x) const
+int NeuronBlocks::findWinner(const Vector3& x, const double* values) const
 {
   // The closest group is searched first, so that most others are excluded by their distance.
   std::size_t start = 0;
@@ -109,6 +111,15 @@ int NeuronBlocks::findWinner(const Vector3& x) const
       const double dx = block.Weights[0][lane] - x[0], dy = block.Weights[1][lane] - x[1],
                    dz = block.Weights[2][lane] - x[2];
       distances[lane] = dx * dx + dy * dy + dz * dz;
+    }
+    const double* own = this->valuesOf(b);
+    for (Index c = 0; c < this->NumberOfValues; ++c, own += BlockSize)
+    {
+      for (int lane = 0; lane < BlockSize; ++lane)
+      {
+        const double difference = own[lane] - values[c];
+        distances[lane] += difference * difference;
+      }
     }
     for (int lane = 0; lane < BlockSize; ++lane)
     {
@@ -153,8 +164,9 @@ int NeuronBlocks::findWinner(const Vector3& x) const
 
 // The result has equal bits for vectors of any width: fused multiply-add is not enabled, and lanes
 // do not interact.
-__attribute__((target_clones("avx2", "default"))) void NeuronBlocks::moveBlock(
-  Block& block, const double* x, const float* r, float learningRate, float factor, Box& box)
+__attribute__((target_clones("avx2", "default"))) void NeuronBlocks::moveBlock(Block& block,
+  const double* x, const float* r, float learningRate, float factor, Box& box, double* values,
+  const double* targets, Index numberOfValues)
 {
   static_assert(BlockSize % FloatLanes == 0, "blocks are filled with whole vectors");
   constexpr float Cut = 0.5F * Reach * Reach;
@@ -195,9 +207,17 @@ __attribute__((target_clones("avx2", "default"))) void NeuronBlocks::moveBlock(
     box.Lower[c] = std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
     box.Upper[c] = std::max(std::max(high[0], high[1]), std::max(high[2], high[3]));
   }
+  for (Index c = 0; c < numberOfValues; ++c, values += BlockSize)
+  {
+    for (int lane = 0; lane < BlockSize; ++lane)
+    {
+      values[lane] += static_cast<double>(shares[lane]) * (targets[c] - values[lane]);
+    }
+  }
 }
 
-void NeuronBlocks::update(const Vector3& x, const Vector3& r, double learningRate, double radius)
+void NeuronBlocks::update(
+  const Vector3& x, const Vector3& r, double learningRate, double radius, const double* values)
 {
   const Eigen::Vector3f target = r.cast<float>();
   const float factor = static_cast<float>(0.5 / (radius * radius));
@@ -218,7 +238,8 @@ void NeuronBlocks::update(const Vector3& x, const Vector3& r, double learningRat
       if (reaches(this->BlockBounds[b]))
       {
         moveBlock(this->Blocks[b], x.data(), target.data(), static_cast<float>(learningRate),
-          factor, this->BlockBounds[b].Weights);
+          factor, this->BlockBounds[b].Weights,
+          this->Values.data() + b * BlockSize * this->NumberOfValues, values, this->NumberOfValues);
       }
     }
     this->encloseGroup(g);
@@ -231,6 +252,19 @@ Vector3 NeuronBlocks::weight(int neuron) const
   const Block& block = this->Blocks[place / BlockSize];
   const int lane = place % BlockSize;
   return Vector3(block.Weights[0][lane], block.Weights[1][lane], block.Weights[2][lane]);
+}
+
+Eigen::VectorXd NeuronBlocks::fullWeight(int neuron) const
+{
+  const int place = this->PlaceOf[neuron];
+  const double* values = this->valuesOf(place / BlockSize) + place % BlockSize;
+  Eigen::VectorXd weight(3 + this->NumberOfValues);
+  weight.head<3>() = this->weight(neuron);
+  for (Index c = 0; c < this->NumberOfValues; ++c)
+  {
+    weight[3 + c] = values[c * BlockSize];
+  }
+  return weight;
 }
 
 Points NeuronBlocks::weights() const

@@ -24,11 +24,14 @@ class NeuronBlocks
 public:
   /// @param[in] network  #N by 3 unit vectors: network positions n_i
   /// @param[in] weights  #N by 3, initial weight vectors w_i
-  NeuronBlocks(const Points& network, const Points& weights);
+  /// @param[in] numberOfValues  number D of further dimensions of patterns and weight vectors. The
+  ///   weight vectors begin with 0 in these dimensions.
+  NeuronBlocks(const Points& network, const Points& weights, Index numberOfValues = 0);
 
-  /// Find the winner (step 3 of \cite Liou2008): the neuron whose weight vector is closest to x. If
-  /// several weight vectors are equally close, the lowest id is returned.
-  int findWinner(const Vector3& x) const;
+  /// Find the winner (step 3 of \cite Liou2008): the neuron whose weight vector is closest to x, in
+  /// all dimensions. If several weight vectors are equally close, the lowest id is returned.
+  /// @param[in] values  D further values of the pattern; may be null if D is 0
+  int findWinner(const Vector3& x, const double* values = nullptr) const;
 
   /// Move all neurons i by Eq. 3 of \cite Liou2008. Let alpha be the learning rate, and sigma the
   /// neighborhood radius. Then: w_i += alpha exp(-|r - n_i|^2 / (2 sigma^2)) (x - w_i).
@@ -39,12 +42,16 @@ public:
   /// @param[in] r             reference point of the pattern, a unit vector
   /// @param[in] learningRate  alpha
   /// @param[in] radius        sigma
-  void update(const Vector3& x, const Vector3& r, double learningRate, double radius);
+  /// @param[in] values        D further values of the pattern; may be null if D is 0
+  void update(const Vector3& x, const Vector3& r, double learningRate, double radius,
+    const double* values = nullptr);
 
-  /// Return the weight vector of a neuron.
+  /// Return the weight vector of a neuron in the first three dimensions.
   Vector3 weight(int neuron) const;
-  /// Return all weight vectors, #N by 3.
+  /// Return all weight vectors in the first three dimensions, #N by 3.
   Points weights() const;
+  /// Return the weight vector of a neuron in all 3 + D dimensions.
+  Eigen::VectorXd fullWeight(int neuron) const;
 
   /// Distance on the sphere beyond which neurons are not moved, in units of the neighborhood
   /// radius.
@@ -70,12 +77,22 @@ private:
     Box Weights;                      ///< box that contains the weight vectors
   };
 
-  static void moveBlock(
-    Block& block, const double* x, const float* r, float learningRate, float factor, Box& box);
+  static void moveBlock(Block& block, const double* x, const float* r, float learningRate,
+    float factor, Box& box, double* values, const double* targets, Index numberOfValues);
+  /// Return the weights of a block in the further dimensions: BlockSize values of each dimension.
+  const double* valuesOf(std::size_t block) const
+  {
+    return this->Values.data() + block * BlockSize * this->NumberOfValues;
+  }
   void encloseGroup(std::size_t group);
 
   std::vector<Block> Blocks;
   std::vector<Surroundings> BlockBounds, GroupBounds;
+  /// Weights in the further dimensions, for each block, dimension and neuron of the block. The
+  /// boxes of Surroundings do not bound them: a distance in three dimensions is a lower bound of
+  /// the distance in all dimensions, so that the search stays exact.
+  std::vector<double> Values;
+  Index NumberOfValues = 0;
   /// Position of each neuron: block * BlockSize + index within the block.
   std::vector<int> PlaceOf;
 };

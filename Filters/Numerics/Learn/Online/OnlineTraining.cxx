@@ -3,6 +3,7 @@
 #include "Base/Random.h"
 #include "Learn/Online/NeuronBlocks.h"
 #include "Mesh/MeshTopology.h"
+#include "Search/TriangleInSpace.h"
 #include "Search/TriangleTree.h"
 #include "TriangleMap/NetworkShapes.h"
 
@@ -44,10 +45,11 @@ public:
   /// From the next pattern on, draw patterns with probabilities proportional to their priorities.
   void drawByPriority() { this->ByPriority = this->Samples.weighted(); }
 
-  /// Return the next `count` patterns, #count by 3.
-  Points next(Index count)
+  /// Return the next `count` patterns, 3 + D by #count: coordinates and pattern values.
+  Columns next(Index count)
   {
-    Points patterns(count, 3);
+    const Index values = this->Samples.numberOfPatternValues(), size = 3 + values;
+    Columns patterns(size, count);
     std::vector<std::int64_t> bits(patterns.size(), 0);
     for (Index i = 0; i < count; ++i)
     {
@@ -55,7 +57,12 @@ public:
       if (id >= 0 && id < this->Samples.size())
       {
         const Vector3 x = this->Samples[id];
-        std::memcpy(bits.data() + 3 * i, x.data(), sizeof(x));
+        std::memcpy(bits.data() + size * i, x.data(), sizeof(x));
+        if (values > 0)
+        {
+          std::memcpy(
+            bits.data() + size * i + 3, this->Samples.patternValues(id), values * sizeof(double));
+        }
       }
     }
     this->Samples.reduce().sum(bits.data(), static_cast<Index>(bits.size()));
@@ -103,9 +110,12 @@ class ImageOnNetwork
 {
 public:
   /// @param[in] neurons  neurons whose weight vectors may change later
-  ImageOnNetwork(const Mesh& network, const NeuronBlocks& neurons, ReferencePoint reference)
+  /// @param[in] numberOfValues  number of further dimensions of patterns and weight vectors
+  ImageOnNetwork(const Mesh& network, const NeuronBlocks& neurons, ReferencePoint reference,
+    Index numberOfValues)
     : Network(network)
     , Neurons(neurons)
+    , NumberOfValues(numberOfValues)
     , Reference(reference)
     , Around(vertexTriangles(network.Triangles, network.Positions.rows()))
     , Shapes(network.Positions, network.Triangles)
@@ -115,15 +125,15 @@ public:
   /// Find the triangle around the winner that contains the projection of x. If the projection is on
   /// an edge or corner, several triangles contain it. Each of these triangles has a different image
   /// of the projection. Therefore, the triangle with the lowest neuron ids is selected.
-  FootPoint project(const Vector3& x, int winner) const
+  /// @param[in] x  pattern: coordinates and pattern values
+  FootPoint project(const double* x, int winner) const
   {
     constexpr double rounding = 4e-15; // rounding error of coordinates
     FootPoint best;
     for (const int* r = this->Around.begin(winner); r != this->Around.end(winner); ++r)
     {
-      const auto ids = this->Network.Triangles.row(*r);
-      FootPoint foot = closestPointOfTriangle(x, this->Neurons.weight(ids[0]),
-        this->Neurons.weight(ids[1]), this->Neurons.weight(ids[2]));
+      const TriangleInSpace simplex = this->simplexOf(*r, x);
+      FootPoint foot = closestPointOfTriangle(simplex.X, simplex.A, simplex.B, simplex.C);
       foot.Triangle = *r;
       const double nearer = foot.SquareDistance - best.SquareDistance;
       const bool shared = std::abs(nearer) <= rounding * std::sqrt(foot.SquareDistance);
@@ -137,7 +147,8 @@ public:
 
   /// Return the reference point on the unit sphere: the position of the winner, or the image of the
   /// projection.
-  Vector3 referencePoint(const FootPoint& foot, int winner) const
+  /// @param[in] x  pattern: coordinates and pattern values
+  Vector3 referencePoint(const double* x, const FootPoint& foot, int winner) const
   {
     const Points& positions = this->Network.Positions;
     if (this->Reference == ReferencePoint::Winner)
@@ -148,9 +159,9 @@ public:
     Vector3 image = foot.Barycentric;
     if (this->Reference != ReferencePoint::Affine)
     {
-      const TriangleShape simplex(
-        this->Neurons.weight(ids[0]), this->Neurons.weight(ids[1]), this->Neurons.weight(ids[2]));
-      image = this->Shapes.toNetwork(foot.Triangle, simplex, foot.Barycentric);
+      const TriangleInSpace simplex = this->simplexOf(foot.Triangle, x);
+      image = this->Shapes.toNetwork(
+        foot.Triangle, TriangleShape(simplex.A, simplex.B, simplex.C), foot.Barycentric);
     }
     Vector3 r = image[0] * Vector3(positions.row(ids[0])) +
       image[1] * Vector3(positions.row(ids[1])) + image[2] * Vector3(positions.row(ids[2]));
@@ -159,8 +170,25 @@ public:
   }
 
 private:
+  /// Return the simplex of a triangle and a pattern. In more than three dimensions, return an
+  /// isometric copy: projections and angles are those of all dimensions.
+  TriangleInSpace simplexOf(int triangle, const double* x) const
+  {
+    const auto ids = this->Network.Triangles.row(triangle);
+    if (this->NumberOfValues == 0)
+    {
+      return { Vector3(x), this->Neurons.weight(ids[0]), this->Neurons.weight(ids[1]),
+        this->Neurons.weight(ids[2]) };
+    }
+    const Eigen::VectorXd a = this->Neurons.fullWeight(ids[0]),
+                          b = this->Neurons.fullWeight(ids[1]),
+                          c = this->Neurons.fullWeight(ids[2]);
+    return toSpace(x, a.data(), b.data(), c.data(), a.size());
+  }
+
   const Mesh& Network;
   const NeuronBlocks& Neurons;
+  const Index NumberOfValues;
   const ReferencePoint Reference;
   const Adjacency Around;
   const NetworkShapes Shapes;
@@ -170,9 +198,10 @@ private:
 LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, const Points& start,
   const OnlineTrainingOptions& options, const Run& run)
 {
-  NeuronBlocks neurons(network.Positions, start); // step 1
+  const Index numberOfValues = samples.numberOfPatternValues();
+  NeuronBlocks neurons(network.Positions, start, numberOfValues); // step 1
   Sampler sampler(samples, options.RandomSeed);
-  const ImageOnNetwork image(network, neurons, options.ReferencePoint);
+  const ImageOnNetwork image(network, neurons, options.ReferencePoint, numberOfValues);
 
   LearnedMesh result;
   result.Triangles = network.Triangles;
@@ -192,7 +221,7 @@ LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, con
     {
       sampler.drawByPriority();
     }
-    Points patterns;
+    Columns patterns;
     for (int step = 0; step < options.SamplesPerEpoch; ++step)
     {
       if (step % reportEvery == 0)
@@ -205,12 +234,13 @@ LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, con
       {
         patterns = sampler.next(std::min(AtATime, options.SamplesPerEpoch - step));
       }
-      const Vector3 x = patterns.row(step % AtATime);
-      const int winner = neurons.findWinner(x);
-      const FootPoint foot = image.project(x, winner);
+      const double* pattern = patterns.data() + (step % AtATime) * patterns.rows();
+      const Vector3 x(pattern);
+      const int winner = neurons.findWinner(x, pattern + 3);
+      const FootPoint foot = image.project(pattern, winner);
       record.MeanSquareError += foot.SquareDistance / options.SamplesPerEpoch;
-      neurons.update(
-        x, image.referencePoint(foot, winner), record.LearningRate, record.NeighborhoodRadius);
+      neurons.update(x, image.referencePoint(pattern, foot, winner), record.LearningRate,
+        record.NeighborhoodRadius, pattern + 3);
     }
     const Points after = neurons.weights();
     record.MeanDisplacement = (after - before).rowwise().norm().mean();
@@ -218,6 +248,12 @@ LearnedMesh trainOnline(const TrainingSamples& samples, const Mesh& network, con
     result.History.push_back(record);
   }
   result.Positions = before;
+  result.PatternValues.resize(before.rows(), numberOfValues);
+  for (Index i = 0; i < before.rows() && numberOfValues > 0; ++i)
+  {
+    result.PatternValues.row(i) =
+      neurons.fullWeight(static_cast<int>(i)).tail(numberOfValues).transpose();
+  }
   return result;
 }
 }

@@ -95,6 +95,40 @@ TEST(NeuronBlocks, UpdateIsEquationThree)
   }
 }
 
+// Winners and updates are those of all dimensions, written out neuron by neuron.
+TEST(NeuronBlocks, LearnsFurtherValues)
+{
+  constexpr Index numberOfValues = 3;
+  const Fixture fixture(12);
+  NeuronBlocks neurons(fixture.Network, fixture.Weights, numberOfValues);
+  conformal::Random random(5);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    const Vector3 x = anyPoint(random), values = 0.5 * anyPoint(random);
+    const Vector3 r = anyPoint(random).normalized();
+    Eigen::MatrixXd before(fixture.Network.rows(), 6);
+    for (Index i = 0; i < before.rows(); ++i)
+    {
+      before.row(i) = neurons.fullWeight(static_cast<int>(i)).transpose();
+    }
+    Eigen::Matrix<double, 6, 1> pattern;
+    pattern << x, values;
+    Index closest = 0;
+    (before.rowwise() - pattern.transpose()).rowwise().squaredNorm().minCoeff(&closest);
+    ASSERT_EQ(neurons.findWinner(x, values.data()), closest);
+    neurons.update(x, r, 0.2, 0.3, values.data());
+    for (Index i = 0; i < before.rows(); ++i)
+    {
+      const double d = (r - Vector3(fixture.Network.row(i))).norm();
+      const double share = d < 4.0 * 0.3 ? 0.2 * std::exp(-d * d / (2.0 * 0.3 * 0.3)) : 0.0;
+      const Eigen::Matrix<double, 6, 1> way = pattern - before.row(i).transpose();
+      const Eigen::Matrix<double, 6, 1> taken =
+        neurons.fullWeight(static_cast<int>(i)) - before.row(i).transpose();
+      ASSERT_LE((taken - share * way).norm(), 1e-4 * way.norm());
+    }
+  }
+}
+
 TEST(NeuronBlocks, GivesBackItsWeights)
 {
   const Fixture fixture(5);

@@ -350,3 +350,50 @@ TEST(OnlineTraining, DrawsByPriority)
     (4.0 * samples[0] + samples[1] + samples[2]) / 6.0 * (6000 * options.InitialLearningRate);
   EXPECT_LT((drift - expected).norm(), 0.05 * samples[0].norm() * 6000 * 1e-6);
 }
+
+// Values that are a rotated copy of the coordinates make an isometric copy of the cloud in six
+// dimensions, scaled by the square root of 2: winners and images are those of three dimensions.
+TEST(OnlineTraining, ValuesJoinTheCoordinates)
+{
+  const Points cloud = ellipsoidCloud(1500);
+  const TrainingSamples plain{ PointView(cloud) };
+  const OnlineTrainingOptions options = few(30, 500);
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()).toRotationMatrix();
+  conformal::Columns values(3, cloud.rows());
+  for (Index i = 0; i < cloud.rows(); ++i)
+  {
+    values.col(i) = turn * plain[i];
+  }
+  TrainingSamples samples = plain;
+  samples.setPatternValues(values);
+  const LearnedMesh expected = trained(plain, options), learned = trained(samples, options);
+  ASSERT_EQ(learned.PatternValues.rows(), expected.Positions.rows());
+  EXPECT_EQ(expected.PatternValues.size(), 0);
+  // The values begin at 0, and the first winners differ from those of the sphere.
+  const Points turned = (learned.Positions * turn.transpose()).eval();
+  const double error = (Points(learned.PatternValues) - turned).rowwise().norm().mean();
+  EXPECT_LT(error, 0.25 * (Points(learned.PatternValues)).rowwise().norm().mean());
+  EXPECT_LT((learned.Positions - expected.Positions).rowwise().norm().mean(), 0.05);
+}
+
+// A value with a step across a plane attracts neurons to both sides: fewer neurons have values in
+// between than with a value that does not affect the winners.
+TEST(OnlineTraining, NeuronsLeaveAStepOfAValue)
+{
+  const Points cloud = ellipsoidCloud(4000);
+  const OnlineTrainingOptions options = few(60, 1000);
+  const auto between = [&](double weight)
+  {
+    conformal::Columns values(1, cloud.rows());
+    for (Index i = 0; i < cloud.rows(); ++i)
+    {
+      values(0, i) = cloud(i, 0) > 0.1 ? weight : -weight;
+    }
+    TrainingSamples samples{ PointView(cloud) };
+    samples.setPatternValues(values);
+    const LearnedMesh learned = trained(samples, options);
+    return (learned.PatternValues.array().abs() < 0.6 * weight).count();
+  };
+  EXPECT_LT(between(0.3), 0.9 * between(0.001));
+}
