@@ -230,9 +230,8 @@ def beside_the_chain(stages):
     som.SetInputData(output_cases.measurements())
     som.SetLabelColumn("Kind")
     som.Update()
-    filters = (som, check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template, series,
-               transfer,
-               resample, repair, body, chart, outside, layers, labels, drawn,
+    filters = (som, check, shape, blend, normal_map, adaptive, harmonics, rebuilt, morph, registration, remesh, template,
+               series, transfer, resample, repair, body, chart, outside, layers, labels, drawn,
                geodesics)
     return {filter_.GetClassName(): filter_ for filter_ in filters}
 
