@@ -43,9 +43,10 @@
  * triangle meshes", ACM Transactions on Graphics 23 (2004), Eq. 5. Instead of pairs of triangles
  * from a deformation of one surface to the other, triangles correspond by their maps to the sphere.
  * A target triangle gets the mean deformation gradient of the source triangles that cover it,
- * weighted by area. The sum is minimized by a Poisson equation as in M. Botsch, R. Sumner, M.
- * Pauly, M. Gross, "Deformation transfer for detail-preserving surface editing", Vision, Modeling
- * and Visualization (2006). Contacts and AlignRotation are not part of these methods.
+ * weighted by area. The sum over the triangles is also weighted by area, and is minimized by a
+ * Poisson equation, as in M. Botsch, R. Sumner, M. Pauly, M. Gross, "Deformation transfer for
+ * detail-preserving surface editing", Vision, Modeling and Visualization (2006). Contacts and
+ * AlignRotation are not part of these methods.
  *
  * @sa
  * vtkSphericalRegistration vtkSphericalMorph vtkSphericalTimeSeries

@@ -121,7 +121,7 @@ class TestBenchmarks(unittest.TestCase):
             measured("time", time.sleep, 60, limit=1)
 
     def test_the_comparison_prints_a_row_for_each_method(self):
-        script = os.path.join(sys.path[0], "compare_reconstructions.py")
+        script = os.path.join(os.path.dirname(compare_smoothing.__file__), "compare_reconstructions.py")
         completed = subprocess.run(
             [sys.executable, script, "--objects", "sphere", "--kinds", "gaussian", "--noise", ".01", "--points", "2000",
              "--methods", "ConformalSOM"], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)

@@ -52,6 +52,9 @@ struct TransferredShape
 /// not determine the translation of the target. It is chosen so that the mean displacement of the
 /// target is the mean displacement by the source.
 ///
+/// Implementation note: \cite Sumner2004 does not weight the sum by area. With the weights of
+/// \cite Botsch2006, the result depends less on the target's mesh.
+///
 /// Implementation note: contacts, vertices of the target that move exactly by their displacements
 /// by the source, are not part of \cite Sumner2004. An example are soles of feet, which thus stay
 /// where those of the source stay. The remaining vertices minimize the sum above.
