@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <memory>
+#include <mutex>
 #include <new>
 
 namespace
@@ -35,17 +37,38 @@ namespace glue
 //------------------------------------------------------------------------------
 conformal::Run SMPRun()
 {
+  // An exception that leaves a thread of the backend STDThread ends the program. Exceptions are
+  // therefore kept, and the one of the lowest index is thrown again by the calling thread.
   const conformal::ParallelFor threads =
     [](conformal::Index count, const std::function<void(conformal::Index)>& body)
   {
+    std::mutex mutex;
+    std::exception_ptr error;
+    vtkIdType indexOfError = count;
     vtkSMPTools::For(0, count, 1,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          body(i);
+          try
+          {
+            body(i);
+          }
+          catch (...)
+          {
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (i < indexOfError)
+            {
+              indexOfError = i;
+              error = std::current_exception();
+            }
+          }
         }
       });
+    if (error)
+    {
+      std::rethrow_exception(error);
+    }
   };
   return { threads };
 }
