@@ -39,6 +39,11 @@
  * previous round. A feature is a number at each point. Corresponding points should have equal
  * features. Landmarks, which are given corresponding points, are used in all registrations.
  *
+ * Some registrations are ambiguous: two correspondences are about equally good, such as head and tail
+ * of similar shape. Up to three other surfaces decide. The ambiguous surface is registered with each
+ * of them. The correspondence that agrees with the majority is used. If the majority is not clear,
+ * the surface remains ambiguous, and a warning is issued.
+ *
  * If the surfaces are in another sequence, the start may be another surface, see the field data
  * "TemplateStart". If the start is the same surface, results for different sequences differ only by
  * rounding. The output is equal bit by bit for any number of threads.

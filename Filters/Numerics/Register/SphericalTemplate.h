@@ -73,6 +73,14 @@ struct SphericalTemplateResult
 /// surfaces. The vertex of the mean that is closest to this average is the mean's landmark. No
 /// vertex is used twice.
 ///
+/// If a registration is ambiguous, up to three third surfaces decide: those with unambiguous
+/// registrations of the lowest stretch. The ambiguous surface is registered with each third
+/// surface, whose map is that of its own registration. The result therefore composes two
+/// registrations. The third surface votes for the correspondence, best or second best, to which the
+/// result is at most half as far as to the other one. Results that are ambiguous do not vote. The
+/// majority decides, and the registration is no longer ambiguous. With equal votes, it remains
+/// ambiguous.
+///
 /// A different order of the surfaces may result in a different start surface. If the start surface
 /// is the same, results differ only by rounding.
 /// @param[in] inputs          #S surfaces, at least one
