@@ -3,8 +3,10 @@
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Register/ConsistentRemesh.h"
 #include "Register/SphereFeatures.h"
+#include "Register/SphericalMorph.h"
 #include "Sphere/SphereCoverage.h"
 #include "Sphere/SphereOrientation.h"
 
@@ -105,7 +107,8 @@ public:
   {
     Steps steps(run, { 1.0, 1.0 });
     const std::vector<std::size_t> order = this->beginningWith(front);
-    const ConsistentMeshes common = this->common(registrations, order, steps.next());
+    const ConsistentMeshes common =
+      this->common(registrations, order, RemeshMeshType::Geodesic, steps.next());
     ShapeModesOptions shape;
     shape.Alignment = this->Options.Alignment;
     shape.NumberOfModes = 0;
@@ -118,13 +121,32 @@ public:
     return mean;
   }
 
+  // Average triangles over all surfaces, on a mesh whose sides are about equal on the surfaces.
+  MappedMesh rigidMeanOf(
+    const Registrations& registrations, std::size_t front, const Run& run) const
+  {
+    Steps steps(run, { 0.7, 0.1, 0.2 }); // mesh, alignment, mean
+    const ConsistentMeshes common = this->common(
+      registrations, this->beginningWith(front), RemeshMeshType::Adaptive, steps.next());
+    ShapeModesOptions shape;
+    shape.Alignment = this->Options.Alignment;
+    shape.NumberOfModes = 0;
+    const std::vector<Points> aligned =
+      findShapeModes(common.Sphere.Triangles, common.Positions, shape, steps.next()).Aligned;
+    MappedMesh mean;
+    mean.Positions = rigidMean(common.Sphere, aligned, steps.next());
+    mean.Triangles = common.Sphere.Triangles;
+    mean.SpherePositions = common.Sphere.Positions;
+    return mean;
+  }
+
   // Find the surface closest to the mean of all shapes. If several surfaces are equally close up to
   // rounding, return the first of these surfaces.
   std::size_t closestToMean(const Registrations& registrations, const Run& run) const
   {
     Steps steps(run, { 1.0, 1.0 });
     const ConsistentMeshes common =
-      this->common(registrations, this->beginningWith(0), steps.next());
+      this->common(registrations, this->beginningWith(0), RemeshMeshType::Geodesic, steps.next());
     ShapeModesOptions all;
     all.Alignment = this->Options.Alignment;
     all.NumberOfModes = static_cast<int>(this->Inputs.size());
@@ -293,8 +315,8 @@ private:
     return order;
   }
 
-  ConsistentMeshes common(
-    const Registrations& registrations, const std::vector<std::size_t>& order, const Run& run) const
+  ConsistentMeshes common(const Registrations& registrations, const std::vector<std::size_t>& order,
+    RemeshMeshType type, const Run& run) const
   {
     std::vector<MappedMesh> meshes;
     for (const std::size_t s : order)
@@ -303,8 +325,9 @@ private:
       meshes.back().SpherePositions = registrations[s].SpherePositions;
     }
     ConsistentRemeshOptions remesh;
-    remesh.MeshType = RemeshMeshType::Geodesic;
+    remesh.MeshType = type;
     remesh.Frequency = this->Options.MeanFrequency;
+    remesh.NumberOfPoints = geodesicSphereSize(this->Options.MeanFrequency);
     return remeshConsistently(meshes, remesh, run);
   }
 
@@ -356,7 +379,8 @@ SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& 
   {
     shares.insert(shares.end(), { 0.95, 0.05 }); // progress: registrations, then the mean
   }
-  Steps steps(run, shares);
+  constexpr double last = 0.95; // progress at which the last mean is computed
+  Steps steps(run.part(0.0, last), shares);
 
   SphericalTemplateResult result;
   result.Registrations = search.registeredWith(0, steps.next());
@@ -379,7 +403,7 @@ SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& 
       break;
     }
   }
-  result.Mean = std::move(mean.Surface);
+  result.Mean = search.rigidMeanOf(result.Registrations, start, run.part(last, 1.0));
   run.report(1.0);
   return result;
 }
