@@ -41,10 +41,10 @@
  * previous round. A feature is a number at each point. Corresponding points should have equal
  * features. Landmarks, which are given corresponding points, are used in all registrations.
  *
- * Some registrations are ambiguous: two correspondences are about equally good, such as head and tail
- * of similar shape. Up to three other surfaces decide. The ambiguous surface is registered with each
- * of them. The correspondence that agrees with the majority is used. If the majority is not clear,
- * the surface remains ambiguous, and a warning is issued.
+ * Some registrations are ambiguous: two correspondences are about equally good, such as head and
+ * tail of similar shape. Up to three other surfaces decide. The ambiguous surface is registered
+ * with each of them. The correspondence that agrees with the majority is used. If the majority is
+ * not clear, the surface remains ambiguous, and a warning is issued.
  *
  * If the surfaces are in another sequence, the start may be another surface, see the field data
  * "TemplateStart". If the start is the same surface, results for different sequences differ only by
@@ -121,9 +121,9 @@ public:
 
   ///@{
   /**
-   * Frequency f of a geodesic sphere, a subdivided icosahedron with 10 f^2 + 2 points. In the rounds,
-   * the mean has the triangles of this sphere. The mean surface of the output has as many points, up
-   * to 2 percent. In [8, 1000]. Default is 45: 20,252 points.
+   * Frequency f of a geodesic sphere, a subdivided icosahedron with 10 f^2 + 2 points. In the
+   * rounds, the mean has the triangles of this sphere. The mean surface of the output has as many
+   * points, up to 2 percent. In [8, 1000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(MeanFrequency, int, 8, 1000);
   vtkGetMacro(MeanFrequency, int);

@@ -82,8 +82,8 @@ Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
 /// The first mean is the blend by morphShapes(), with rotations relative to the first shape. In the
 /// next rounds, rotations are relative to the latest mean. Rounds end if the mean changes by at
 /// most 0.1 percent of its size, so that the result hardly depends on the order of the shapes. In
-/// the limit, the rotation of a triangle is the Karcher mean of its rotations in the shapes \cite
-/// Karcher1977: their rotation vectors relative to the mean have the sum 0.
+/// the limit, the rotation vectors of a triangle relative to the mean have the sum 0. This is the
+/// Karcher mean \cite Karcher1977 of its rotations.
 ///
 /// @param[in] sphere  the triangles of every shape, and the sphere positions of the points
 /// @param[in] shapes  #S shapes, at least one, each #V by 3; a single shape is returned unchanged
