@@ -10,6 +10,7 @@
 #include "Measure/SurfaceMismatch.h"
 #include "Register/ConsistentRemesh.h"
 #include "Register/ShapeModes.h"
+#include "Register/SphericalMorph.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
@@ -79,12 +80,13 @@ void AddModes(
   }
 }
 
-// Return relative costs of the steps: surfaces, mesh, mean and modes, the arrays and the distance
-// of each block, and the arrays of the mean.
-std::vector<double> SharesOf(std::size_t numberOfSurfaces)
+// Return relative costs of the steps: surfaces, mesh, linear mean and modes, rigid mean, the arrays
+// and the distance of each block, and the arrays of the mean.
+std::vector<double> SharesOf(std::size_t numberOfSurfaces, int meanType)
 {
   const double each = 1.0 / static_cast<double>(numberOfSurfaces);
-  std::vector<double> shares = { 0.04, 0.35, 0.03 };
+  std::vector<double> shares = { 0.04, 0.35, 0.03,
+    meanType == vtkConsistentRemesh::RIGID_MEAN ? 0.4 : 0.0 };
   for (std::size_t s = 0; s < numberOfSurfaces; ++s)
   {
     shares.insert(shares.end(), { 0.03 * each, 0.5 * each });
@@ -110,6 +112,19 @@ struct Remeshed
   conformal::ShapeModes Modes;
   vtkNew<vtkPolyData> Cells;
 };
+
+void FindMeanAndModes(Remeshed& remeshed, const conformal::ShapeModesOptions& options, bool isRigid,
+  conformal::Steps& steps)
+{
+  remeshed.Modes = conformal::findShapeModes(
+    remeshed.Common.Sphere.Triangles, remeshed.Common.Positions, options, steps.next());
+  const conformal::Run averaging = steps.next();
+  if (isRigid)
+  {
+    remeshed.Modes.Mean =
+      conformal::rigidMean(remeshed.Common.Sphere, remeshed.Modes.Aligned, averaging);
+  }
+}
 
 vtkNew<vtkPolyData> BlockOf(
   vtkObject* self, const Remeshed& remeshed, std::size_t s, conformal::Steps& steps)
@@ -182,6 +197,7 @@ int vtkConsistentRemesh::RequestData(
   options.Alignment = static_cast<conformal::ShapeAlignment>(this->Alignment);
   options.NumberOfModes = this->NumberOfModes;
   const bool alignsBlocks = this->AlignBlocks;
+  const int meanType = this->MeanType;
   return glue::RunCore(this,
     [&]()
     {
@@ -191,12 +207,11 @@ int vtkConsistentRemesh::RequestData(
       {
         return;
       }
-      conformal::Steps steps(glue::RunOf(this), SharesOf(surfaces.Held.size()));
+      conformal::Steps steps(glue::RunOf(this), SharesOf(surfaces.Held.size(), meanType));
       Remeshed remeshed(surfaces, alignsBlocks);
       remeshed.Meshes = glue::ToMappedMeshes(surfaces, remeshed.Frame, steps.next());
       remeshed.Common = conformal::remeshConsistently(remeshed.Meshes, remesh, steps.next());
-      remeshed.Modes = conformal::findShapeModes(
-        remeshed.Common.Sphere.Triangles, remeshed.Common.Positions, options, steps.next());
+      FindMeanAndModes(remeshed, options, meanType == RIGID_MEAN, steps);
       glue::SetTriangles(remeshed.Cells, remeshed.Common.Sphere.Triangles);
       const vtkNew<vtkMultiBlockDataSet> blocks;
       for (std::size_t s = 0; s < surfaces.Held.size(); ++s)
@@ -214,11 +229,13 @@ void vtkConsistentRemesh::PrintSelf(ostream& os, vtkIndent indent)
 {
   static const char* const meshTypes[] = { "Geodesic", "Adaptive" };
   static const char* const alignments[] = { "None", "Rigid", "Similarity" };
+  static const char* const meanTypes[] = { "Linear", "Rigid" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeshType: " << meshTypes[this->MeshType] << "\n";
   os << indent << "Frequency: " << this->Frequency << "\n";
   os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
   os << indent << "Alignment: " << alignments[this->Alignment] << "\n";
   os << indent << "AlignBlocks: " << this->AlignBlocks << "\n";
+  os << indent << "MeanType: " << meanTypes[this->MeanType] << "\n";
   os << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
 }

@@ -28,7 +28,7 @@
  *   distance of a point of the surface from its centroid.
  * - field data "ShapeScores" (double, one component per mode; absent if there are no modes):
  *   coordinates of the shape along the principal components, called modes. The unit of a coordinate
- *   is the standard deviation of the mode. The mean shape has the score 0.
+ *   is the standard deviation of the mode. The linear mean shape has the score 0.
  *
  * Output port 1: vtkPolyData, the mean shape on the same mesh. The mean is computed after the
  * surfaces are aligned (property Alignment). The position and orientation of the mean shape are
@@ -36,8 +36,8 @@
  * - point array "SpherePosition" (double, 3 components): the directions.
  * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement of
  *   each point of the mean shape for one standard deviation of a principal component. If all modes
- *   are kept, each aligned block is the mean shape plus a sum over the modes: the score of the
- *   shape times the mode.
+ *   are kept, each aligned block is the linear mean shape (property MeanType) plus a sum over the
+ *   modes: the score of the shape times the mode.
  * - the point arrays that all surfaces have. Each value is the mean over the surfaces. In integer
  *   arrays with 1 component (labels), each value is the most frequent label.
  * - field data "ExplainedVariance" (double, one value per mode; absent if there are no modes):
@@ -48,7 +48,9 @@
  * output is equal bit by bit for any number of threads.
  *
  * Implementation note: shapes are aligned by the generalized Procrustes analysis of J. C. Gower,
- * Psychometrika 40 (1975).
+ * Psychometrika 40 (1975). With MeanType RIGID_MEAN, triangles are averaged as in D. Xu, H. Zhang,
+ * Q. Wang, H. Bao, "Poisson shape interpolation", Graphical Models 68 (2006). Rotations are
+ * relative to the mean itself, so that the mean hardly depends on the order of the surfaces.
  *
  * @sa
  * vtkSphericalAlignment vtkSphericalMorph vtkSphericalResample vtkSurfaceMismatch
@@ -80,6 +82,12 @@ public:
     NONE = 0,
     RIGID = 1,
     SIMILARITY = 2
+  };
+
+  enum MeanTypes
+  {
+    LINEAR_MEAN = 0,
+    RIGID_MEAN = 1
   };
 
   ///@{
@@ -140,6 +148,19 @@ public:
 
   ///@{
   /**
+   * Type of the mean shape. LINEAR_MEAN (default): mean position of each point. Each aligned block
+   * is this mean plus modes. Parts in different poses, such as legs, become smaller in the mean.
+   * RIGID: mean rotation and mean stretch of each triangle, joined by a linear system, as in
+   * vtkSphericalMorph. Parts keep their size, and the area of the mean is the mean of the areas.
+   */
+  vtkSetClampMacro(MeanType, int, LINEAR_MEAN, RIGID_MEAN);
+  vtkGetMacro(MeanType, int);
+  void SetMeanTypeToLinear() { this->SetMeanType(LINEAR_MEAN); }
+  void SetMeanTypeToRigid() { this->SetMeanType(RIGID_MEAN); }
+  ///@}
+
+  ///@{
+  /**
    * Maximum number of principal components (modes) to keep. The components with the largest
    * variance are kept. There are always fewer components than surfaces. In [0, 1000]. Default is
    * 10.
@@ -170,6 +191,7 @@ private:
   int NumberOfPoints = 20000;
   int Alignment = RIGID;
   bool AlignBlocks = true;
+  int MeanType = LINEAR_MEAN;
   int NumberOfModes = 10;
 };
 

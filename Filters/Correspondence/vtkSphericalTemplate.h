@@ -21,11 +21,13 @@
  *   "Ambiguous": quality of the last registration with the mean, as described in
  *   vtkSphericalRegistration.
  *
- * Output port 1: vtkPolyData, the mean of the aligned surfaces (property Alignment). It has 10 f^2
- * + 2 points, where f is MeanFrequency. The position and orientation of the mean surface are those
- * of the start, an input surface that the filter selects as described below.
- * - point array "SpherePosition" (double, 3 components): the points of a geodesic sphere
- *   (subdivided icosahedron), which are uniform over the sphere.
+ * Output port 1: vtkPolyData, the mean of the aligned surfaces (property Alignment). It has about
+ * 10 f^2 + 2 points, where f is MeanFrequency. Sides of its triangles have about equal lengths on
+ * the surfaces. Rotations and stretches of triangles are averaged, as by MeanType RIGID_MEAN of
+ * vtkConsistentRemesh, so that limbs in different poses keep their size. The position and
+ * orientation of the mean surface are those of the start, an input surface that the filter selects
+ * as described below.
+ * - point array "SpherePosition" (double, 3 components): position of each point on the sphere.
  * - field data "TemplateChange" (double, one value per round; absent without rounds): change of the
  *   mean in the round. The change is the root mean square distance between corresponding points of
  *   the mean and the previous mean. The unit is the root mean square distance of the points from
@@ -39,6 +41,11 @@
  * previous round. A feature is a number at each point. Corresponding points should have equal
  * features. Landmarks, which are given corresponding points, are used in all registrations.
  *
+ * Some registrations are ambiguous: two correspondences are about equally good, such as head and
+ * tail of similar shape. Up to three other surfaces decide. The ambiguous surface is registered
+ * with each of them. The correspondence that agrees with the majority is used. If the majority is
+ * not clear, the surface remains ambiguous, and a warning is issued.
+ *
  * If the surfaces are in another sequence, the start may be another surface, see the field data
  * "TemplateStart". If the start is the same surface, results for different sequences differ only by
  * rounding. The output is equal bit by bit for any number of threads.
@@ -46,9 +53,8 @@
  * An empty block of the input gives an empty block of the output, with a warning. Blocks that are
  * null are left out.
  *
- * The points of the mean are uniform over the sphere, and not over the surfaces. For a mean whose
- * points are uniform over the surfaces, apply vtkConsistentRemesh to output port 0. The mean of
- * vtkConsistentRemesh also has principal components, and the point arrays of the surfaces.
+ * For principal components, and for a mean with the point arrays of the surfaces, apply
+ * vtkConsistentRemesh to output port 0.
  *
  * @sa
  * vtkSphericalRegistration vtkConsistentRemesh vtkSphericalMorph
@@ -115,8 +121,9 @@ public:
 
   ///@{
   /**
-   * Frequency f of a geodesic sphere, a subdivided icosahedron. The mean surface has the triangles
-   * of this sphere, and 10 f^2 + 2 points. In [8, 1000]. Default is 45: 20,252 points.
+   * Frequency f of a geodesic sphere, a subdivided icosahedron with 10 f^2 + 2 points. In the
+   * rounds, the mean has the triangles of this sphere. The mean surface of the output has as many
+   * points, up to 2 percent. In [8, 1000]. Default is 45: 20,252 points.
    */
   vtkSetClampMacro(MeanFrequency, int, 8, 1000);
   vtkGetMacro(MeanFrequency, int);

@@ -119,6 +119,7 @@ class Outcome:
             registration.AddLandmark(moving.landmarks[i], fixed.landmarks[i])
         begin = time.process_time()
         registered = paper_models.run(registration)
+        second = registration.GetOutput(1)
         self.seconds = time.process_time() - begin
         if args.write:
             write(registered, os.path.join(args.write, self.name + ".vtp"))
@@ -127,6 +128,9 @@ class Outcome:
         others = [i for i in range(len(self.errors)) if i not in given and i not in unjudged]
         self.mean = self.errors[others or given].mean()
         self.judged = self.errors[others or given]
+        self.is_ambiguous = field.GetArray("Ambiguous").GetValue(0) == 1
+        self.second = (fixed.errors(sphere_of(second)[moving.landmarks])[others or given].mean()
+                       if second.GetNumberOfPoints() else np.inf)
         self.unmet = field.GetArray("LandmarkError").GetValue(0)
         self.stretch = field.GetArray("RegistrationStretch").GetValue(0)
         self.flips = max(field.GetArray("NumberOfFolds").GetValue(0), flips_of(registered, moving.triangles))
@@ -149,6 +153,11 @@ def print_row(name, outcomes):
           f"{worst.name:<12}{(means > FAR).mean():>7.1%}{(judged < 0.1).mean():>8.1%}"
           f"{max(outcome.unmet for outcome in outcomes):>11.1e}{sum(outcome.flips for outcome in outcomes):>7}"
           f"{np.mean([outcome.seconds for outcome in outcomes]):>9.2f}", flush=True)
+    for name, group in (("wrong", [outcome for outcome in outcomes if outcome.mean > FAR]),
+                        ("right", [outcome for outcome in outcomes if outcome.mean <= FAR])):
+        ambiguous = [outcome for outcome in group if outcome.is_ambiguous]
+        print(f"  {name}: {len(group)}, ambiguous {len(ambiguous)}, second result better in "
+              f"{sum(outcome.second < outcome.mean for outcome in ambiguous)}", flush=True)
 
 
 def setting(text):
@@ -209,6 +218,7 @@ def main():
                 last = outcomes[-1]
                 print(f"  {last.name:<14}mean {last.mean:.4f}, largest {last.judged.max():.4f}, stretch "
                       f"{last.stretch:.3f}, landmark error {last.unmet:.1e}, flips {last.flips}, "
+                      f"ambiguous {int(last.is_ambiguous)}, second {last.second:.4f}, "
                       f"{last.seconds:.2f} CPU s", flush=True)
         print_row(f"{len(given)} of {all_of_them}", outcomes)
         if args.each:

@@ -116,25 +116,21 @@ def print_itself(name, surface, points):
 
 
 def print_mean(surfaces, points):
-    template, remesh, morph = vtkSphericalTemplate(), vtkConsistentRemesh(), vtkSphericalMorph()
+    template, remesh = vtkSphericalTemplate(), vtkConsistentRemesh()
     for surface in surfaces:
-        template.AddInputData(surface)
+        template.AddInputDataObject(surface)
     template.SetLandmarkArrayName("Landmarks")
     seconds = run(template)
-    print_row("template", template.GetOutput(1), seconds)
+    print_row("template", template.GetMeanSurface(), seconds)
     remesh.SetInputConnection(template.GetOutputPort())
     remesh.SetNumberOfPoints(points)
     seconds = run(remesh)
     for i in range(remesh.GetOutput().GetNumberOfBlocks()):
         print_row(f"block {i}", remesh.GetOutput().GetBlock(i))
     print_row("linear mean", remesh.GetMeanShape(), seconds)
-    morph.SetInputConnection(template.GetOutputPort())
-    morph.SetNumberOfPoints(points)
-    morph.SetPathToRigid()
-    for _ in surfaces:
-        morph.AddWeight(1.0)
-    seconds = run(morph)
-    print_row("rigid mean", morph.GetOutput(), seconds)
+    remesh.SetMeanTypeToRigid()
+    seconds = run(remesh)
+    print_row("rigid mean", remesh.GetMeanShape(), seconds)
 
 
 def main():

@@ -102,7 +102,8 @@ Case ConsistentRemesh()
   geodesic.ResultOfMap = "SpherePosition";
   geodesic.Properties = { Integer("MeshType", &F::SetMeshType),
     Integer("Frequency", &F::SetFrequency), Integer("Alignment", &F::SetAlignment),
-    Switch("AlignBlocks", &F::SetAlignBlocks), Integer("NumberOfModes", &F::SetNumberOfModes) };
+    Switch("AlignBlocks", &F::SetAlignBlocks), Integer("MeanType", &F::SetMeanType),
+    Integer("NumberOfModes", &F::SetNumberOfModes) };
   Mode adaptive = MeshTypeMode("Adaptive", F::ADAPTIVE);
   adaptive.Properties = { Integer("NumberOfPoints", &F::SetNumberOfPoints) };
   all.Modes = { geodesic, adaptive };

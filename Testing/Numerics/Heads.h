@@ -38,6 +38,22 @@ inline conformal::RegisteredSurface head(int frequency, double nose = 0.7)
   return result;
 }
 
+/// Build a body with two equal ends: a rotation by 180 degrees about z leaves it unchanged.
+inline conformal::RegisteredSurface twoEnds()
+{
+  using conformal::Vector3;
+  conformal::RegisteredSurface result = head(12);
+  result.Surface.Positions = shapes::over(result.Surface.SpherePositions,
+    [](const Vector3& n) -> Vector3
+    {
+      const auto bump = [&](const Vector3& at, double width)
+      { return std::exp((n.dot(at.normalized()) - 1.0) / (width * width)); };
+      return (1.0 + bump({ 1, 0.3, 0.4 }, 0.3) + bump({ -1, -0.3, 0.4 }, 0.3)) *
+        n.cwiseProduct(Vector3(1.6, 0.9, 1.0));
+    });
+  return result;
+}
+
 /// Deform the sphere smoothly, then rotate it.
 /// @param[in] angle  angle of the rotation [radians]
 inline conformal::Vector3 warped(const conformal::Vector3& n, double angle)

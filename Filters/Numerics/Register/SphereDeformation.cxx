@@ -17,7 +17,7 @@ namespace
 constexpr int NumberOfStarts = 8, NumberKept = 6, NumberKeptByLandmarks = 3, NumberOfFinalists = 2;
 constexpr double NearMinimum = 1.2;  // maximum ratio of a finalist's score to the minimum score
 constexpr double Comparable = 2.0;   // ratio of scores below which both directions are compared
-constexpr double Ambiguous = 1.5;    // ratio of scores below which the second result is kept
+constexpr double Ambiguous = 2.0;    // ratio of scores below which the second result is kept
 constexpr double Distinct = 0.7;     // mean distance of deformations with other correspondences
 constexpr double HoldAtTheEnd = 0.1; // factor of the sphere's weights in the last descent
 constexpr int FirstSteps = 6, CoarseSteps = 25, FineSteps = 20;

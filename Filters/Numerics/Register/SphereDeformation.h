@@ -75,7 +75,7 @@ struct FoundDeformations
 /// 3. Compare the deformation of minimum score with the best deformation that moves points to quite
 ///    different positions, for example the head to the tail. If the ratio of their scores is below
 ///    2, repeat both descents in the opposite direction. The geometric mean of the scores of both
-///    directions decides. If the ratio of these means is below 1.5, both deformations are returned.
+///    directions decides. If the ratio of these means is below 2, both deformations are returned.
 /// 4. Also descend in the opposite direction from the deformation of minimum score. The inverse of
 ///    the result is another start: descents in both directions end in different local minima.
 /// 5. Continue the descents on finer geodesic spheres. The weight of the landmarks grows. In the

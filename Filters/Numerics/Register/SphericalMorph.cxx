@@ -21,10 +21,12 @@ constexpr Index BlockSize = 1024;
 /// Shapes of weight above 0, and their centers.
 struct Active
 {
+  const Points* Reference =
+    nullptr; ///< shape to which rotations are relative; may be one of Shapes
   std::vector<const Points*> Shapes;
   std::vector<double> Weights;
   std::vector<Vector3> Centers;
-  std::vector<Vector3> Turns; ///< rotation vector of each shape relative to the first shape
+  std::vector<Vector3> Turns; ///< rotation vector of each shape relative to the reference
 };
 
 Vector3 rotationVector(const Eigen::Matrix3d& rotation)
@@ -44,8 +46,9 @@ Eigen::VectorXd commonAreas(const Mesh& sphere, const std::vector<const Points*>
   return areas;
 }
 
-Active activeShapes(
-  const Mesh& sphere, const std::vector<Points>& shapes, const std::vector<double>& weights)
+/// @param[in] reference  shape to which rotations are relative; the first shape if null
+Active activeShapes(const Mesh& sphere, const std::vector<Points>& shapes,
+  const std::vector<double>& weights, const Points* reference = nullptr)
 {
   Active active;
   for (std::size_t s = 0; s < shapes.size(); ++s)
@@ -62,12 +65,15 @@ Active activeShapes(
   {
     active.Centers.emplace_back(shape->transpose() * areas / sum);
   }
-  const Points first = active.Shapes[0]->rowwise() - active.Centers[0].transpose();
+  active.Reference = reference != nullptr ? reference : active.Shapes[0];
+  const Vector3 center = active.Reference->transpose() * areas / sum;
+  const Points centered = active.Reference->rowwise() - center.transpose();
   for (std::size_t s = 0; s < active.Shapes.size(); ++s)
   {
     const Points other = active.Shapes[s]->rowwise() - active.Centers[s].transpose();
-    active.Turns.emplace_back(
-      s == 0 ? Vector3::Zero() : rotationVector(closestRotation(first, other, areas)));
+    active.Turns.emplace_back(active.Shapes[s] == active.Reference
+        ? Vector3::Zero()
+        : rotationVector(closestRotation(centered, other, areas)));
   }
   return active;
 }
@@ -89,14 +95,17 @@ Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
 {
   const Triangles& triangles = sphere.Triangles;
   const Triangles neighbors = triangleNeighbors(triangles, sphere.Positions.rows());
-  std::vector<double> shares(active.Shapes.size(), 0.8); // rotations, triangles
+  std::vector<double> shares(active.Shapes.size() + 1, 0.8); // rotations, triangles
   shares.back() = 0.2;
   Steps steps(run, shares);
   std::vector<std::vector<Vector3>> turns(active.Shapes.size());
-  for (std::size_t s = 1; s < active.Shapes.size(); ++s)
+  for (std::size_t s = 0; s < active.Shapes.size(); ++s)
   {
-    turns[s] = triangleRotations(
-      triangles, neighbors, *active.Shapes[0], *active.Shapes[s], active.Turns[s], steps.next());
+    if (active.Shapes[s] != active.Reference)
+    {
+      turns[s] = triangleRotations(
+        triangles, neighbors, *active.Reference, *active.Shapes[s], active.Turns[s], steps.next());
+    }
   }
   Wanted wanted(triangles.rows());
   const Eigen::Matrix3d whole = rotationOf(weighted(active.Weights, active.Turns));
@@ -110,12 +119,12 @@ Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
         for (std::size_t s = 0; s < active.Shapes.size(); ++s)
         {
           const Points& shape = *active.Shapes[s];
-          Eigen::Matrix3d own; // corners of the triangle, rotated back to the first shape
+          Eigen::Matrix3d own; // corners of the triangle, rotated back to the reference
           for (int k = 0; k < 3; ++k)
           {
             own.col(k) = shape.row(triangles(r, k)) - shape.row(triangles(r, 0));
           }
-          if (s > 0)
+          if (active.Shapes[s] != active.Reference)
           {
             own = (rotationOf(active.Turns[s]) * rotationOf(turns[s][r])).transpose() * own;
             turn += active.Weights[s] * turns[s][r];
@@ -280,5 +289,38 @@ Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
   }
   run.report(1.0);
   return alignedBlend(active);
+}
+
+//------------------------------------------------------------------------------
+Points rigidMean(const Mesh& sphere, const std::vector<Points>& shapes, const Run& run)
+{
+  constexpr int maximum = 8;
+  constexpr double tolerance = 1e-3;
+  if (shapes.empty())
+  {
+    throw std::invalid_argument("there is no shape to average");
+  }
+  if (shapes.size() == 1)
+  {
+    run.report(1.0);
+    return shapes.front();
+  }
+  Steps steps(run, std::vector<double>(maximum, 1.0));
+  const std::vector<double> weights(shapes.size(), 1.0 / static_cast<double>(shapes.size()));
+  Points mean = rigidBlend(activeShapes(sphere, shapes, weights), sphere, steps.next());
+  for (int round = 1; round < maximum; ++round)
+  {
+    const Active active = activeShapes(sphere, shapes, weights, &mean);
+    const Points next = rigidBlend(active, sphere, steps.next());
+    const Eigen::RowVector3d center = next.colwise().mean();
+    const double change = (next - mean).norm() / (next.rowwise() - center).norm();
+    mean = next;
+    if (!(change > tolerance))
+    {
+      break;
+    }
+  }
+  run.report(1.0);
+  return mean;
 }
 }

@@ -75,6 +75,23 @@ Points morphShapes(const Mesh& sphere, const std::vector<Points>& shapes,
   const std::vector<double>& weights, const SphericalMorphOptions& options = {},
   const Run& run = {});
 
+/// Compute the mean of shapes, with equal weights and the rotations of MorphPath::Rigid. Parts that
+/// rotate relative to each other, such as legs in different poses, keep their size. The area of the
+/// mean is the mean of the areas, and its center is the mean of the centers.
+///
+/// The first mean is the blend by morphShapes(), with rotations relative to the first shape. In the
+/// next rounds, rotations are relative to the latest mean. Rounds end if the mean changes by at
+/// most 0.1 percent of its size, so that the result hardly depends on the order of the shapes. In
+/// the limit, the rotation vectors of a triangle relative to the mean have the sum 0. This is the
+/// Karcher mean \cite Karcher1977 of its rotations.
+///
+/// @param[in] sphere  the triangles of every shape, and the sphere positions of the points
+/// @param[in] shapes  #S shapes, at least one, each #V by 3; a single shape is returned unchanged
+/// @throws std::invalid_argument if there is no shape
+/// @throws Aborted
+/// @post the result does not depend on the number of threads
+Points rigidMean(const Mesh& sphere, const std::vector<Points>& shapes, const Run& run = {});
+
 /// Limits of cotangents of triangle angles in morphShapes(). With these limits, the linear system
 /// is regular even if triangles are thin.
 constexpr double MinimumCotangent = 0.02, MaximumCotangent = 50.0;

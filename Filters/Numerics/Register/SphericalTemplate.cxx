@@ -3,8 +3,10 @@
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
+#include "Mesh/GeodesicSphere.h"
 #include "Register/ConsistentRemesh.h"
 #include "Register/SphereFeatures.h"
+#include "Register/SphericalMorph.h"
 #include "Sphere/SphereCoverage.h"
 #include "Sphere/SphereOrientation.h"
 
@@ -20,6 +22,17 @@ namespace conformal
 namespace
 {
 using Registrations = std::vector<SphericalRegistrationResult>;
+
+// Maximum number of third surfaces that decide about an ambiguous surface.
+constexpr std::size_t NumberOfThirds = 3;
+// A third surface decides if one correspondence is closer by this factor than the other.
+constexpr double Closer = 0.5;
+
+// Compute the mean distance between two maps of a surface, weighted by area.
+double distanceOf(const Points& a, const Points& b, const Eigen::VectorXd& areas)
+{
+  return (a - b).rowwise().norm().dot(areas) / areas.sum();
+}
 
 void requireUsable(const std::vector<TemplateInput>& inputs)
 {
@@ -94,7 +107,8 @@ public:
   {
     Steps steps(run, { 1.0, 1.0 });
     const std::vector<std::size_t> order = this->beginningWith(front);
-    const ConsistentMeshes common = this->common(registrations, order, steps.next());
+    const ConsistentMeshes common =
+      this->common(registrations, order, RemeshMeshType::Geodesic, steps.next());
     ShapeModesOptions shape;
     shape.Alignment = this->Options.Alignment;
     shape.NumberOfModes = 0;
@@ -107,13 +121,32 @@ public:
     return mean;
   }
 
+  // Average triangles over all surfaces, on a mesh whose sides are about equal on the surfaces.
+  MappedMesh rigidMeanOf(
+    const Registrations& registrations, std::size_t front, const Run& run) const
+  {
+    Steps steps(run, { 0.7, 0.1, 0.2 }); // mesh, alignment, mean
+    const ConsistentMeshes common = this->common(
+      registrations, this->beginningWith(front), RemeshMeshType::Adaptive, steps.next());
+    ShapeModesOptions shape;
+    shape.Alignment = this->Options.Alignment;
+    shape.NumberOfModes = 0;
+    const std::vector<Points> aligned =
+      findShapeModes(common.Sphere.Triangles, common.Positions, shape, steps.next()).Aligned;
+    MappedMesh mean;
+    mean.Positions = rigidMean(common.Sphere, aligned, steps.next());
+    mean.Triangles = common.Sphere.Triangles;
+    mean.SpherePositions = common.Sphere.Positions;
+    return mean;
+  }
+
   // Find the surface closest to the mean of all shapes. If several surfaces are equally close up to
   // rounding, return the first of these surfaces.
   std::size_t closestToMean(const Registrations& registrations, const Run& run) const
   {
     Steps steps(run, { 1.0, 1.0 });
     const ConsistentMeshes common =
-      this->common(registrations, this->beginningWith(0), steps.next());
+      this->common(registrations, this->beginningWith(0), RemeshMeshType::Geodesic, steps.next());
     ShapeModesOptions all;
     all.Alignment = this->Options.Alignment;
     all.NumberOfModes = static_cast<int>(this->Inputs.size());
@@ -143,7 +176,7 @@ private:
   Registrations registered(const RegisteredSurface& fixed, const std::vector<int>& landmarks,
     std::size_t own, const Run& run) const
   {
-    Steps steps(run, std::vector<double>(this->Inputs.size(), 1.0));
+    Steps steps(run, std::vector<double>(this->Inputs.size() + 1, 1.0));
     Registrations result;
     for (std::size_t s = 0; s < this->Inputs.size(); ++s)
     {
@@ -155,22 +188,90 @@ private:
         result.back().Stretch = 1.0;
         continue;
       }
-      std::vector<std::pair<int, int>> pairs;
-      for (std::size_t i = 0; i < landmarks.size(); ++i)
+      result.push_back(this->registeredOne(s, fixed, landmarks, part));
+    }
+    this->decide(result, own, steps.next());
+    return result;
+  }
+
+  SphericalRegistrationResult registeredOne(std::size_t s, const RegisteredSurface& fixed,
+    const std::vector<int>& landmarks, const Run& run) const
+  {
+    std::vector<std::pair<int, int>> pairs;
+    for (std::size_t i = 0; i < landmarks.size(); ++i)
+    {
+      pairs.emplace_back(this->Inputs[s].Landmarks[i], landmarks[i]);
+    }
+    try
+    {
+      return registerSpheres(
+        this->Inputs[s].Surface, fixed, pairs, this->Weights, this->Options.Registration, run);
+    }
+    catch (const NumericalFailure& failure)
+    {
+      throw NumericalFailure(this->Inputs[s].Name + ": " + failure.what());
+    }
+  }
+
+  // Decide between the two best correspondences of each ambiguous surface by third surfaces.
+  void decide(Registrations& result, std::size_t own, const Run& run) const
+  {
+    std::vector<std::size_t> ambiguous, thirds;
+    for (std::size_t s = 0; s < result.size(); ++s)
+    {
+      if (result[s].IsAmbiguous)
       {
-        pairs.emplace_back(this->Inputs[s].Landmarks[i], landmarks[i]);
+        ambiguous.push_back(s);
       }
-      try
+      else if (s != own && result[s].NumberOfFolds == 0)
       {
-        result.push_back(registerSpheres(
-          this->Inputs[s].Surface, fixed, pairs, this->Weights, this->Options.Registration, part));
-      }
-      catch (const NumericalFailure& failure)
-      {
-        throw NumericalFailure(this->Inputs[s].Name + ": " + failure.what());
+        thirds.push_back(s);
       }
     }
-    return result;
+    std::stable_sort(thirds.begin(), thirds.end(),
+      [&](std::size_t a, std::size_t b) { return result[a].Stretch < result[b].Stretch; });
+    thirds.resize(std::min(thirds.size(), NumberOfThirds));
+    Steps steps(run, std::vector<double>(ambiguous.size() * thirds.size(), 1.0));
+    for (const std::size_t s : ambiguous)
+    {
+      int balance = 0; // number of votes for the best correspondence, minus those for the second
+      for (const std::size_t third : thirds)
+      {
+        balance += this->voteOf(third, s, result, steps.next());
+      }
+      if (balance < 0)
+      {
+        SphericalRegistrationResult second = std::move(result[s].Second.front());
+        result[s] = std::move(second);
+      }
+      if (balance != 0)
+      {
+        result[s].IsAmbiguous = false;
+        result[s].Second.clear();
+      }
+    }
+  }
+
+  // Register an ambiguous surface with a third surface, which has its new map. The result composes
+  // both correspondences. Return 1 if it agrees with the best correspondence of the ambiguous
+  // surface, -1 if it agrees with the second, and 0 if it is ambiguous itself or agrees with
+  // neither.
+  int voteOf(std::size_t third, std::size_t s, const Registrations& result, const Run& run) const
+  {
+    RegisteredSurface fixed = this->Inputs[third].Surface;
+    fixed.Surface.SpherePositions = result[third].SpherePositions;
+    const SphericalRegistrationResult composed =
+      this->registeredOne(s, fixed, this->Inputs[third].Landmarks, run);
+    if (composed.IsAmbiguous)
+    {
+      return 0;
+    }
+    const MappedMesh& mesh = this->Inputs[s].Surface.Surface;
+    const Eigen::VectorXd areas = vertexAreas(mesh.Positions, mesh.Triangles);
+    const double toBest = distanceOf(composed.SpherePositions, result[s].SpherePositions, areas);
+    const double toSecond =
+      distanceOf(composed.SpherePositions, result[s].Second.front().SpherePositions, areas);
+    return toBest < Closer * toSecond ? 1 : toSecond < Closer * toBest ? -1 : 0;
   }
 
   // Find a distinct vertex of the mean for each landmark.
@@ -214,8 +315,8 @@ private:
     return order;
   }
 
-  ConsistentMeshes common(
-    const Registrations& registrations, const std::vector<std::size_t>& order, const Run& run) const
+  ConsistentMeshes common(const Registrations& registrations, const std::vector<std::size_t>& order,
+    RemeshMeshType type, const Run& run) const
   {
     std::vector<MappedMesh> meshes;
     for (const std::size_t s : order)
@@ -224,8 +325,9 @@ private:
       meshes.back().SpherePositions = registrations[s].SpherePositions;
     }
     ConsistentRemeshOptions remesh;
-    remesh.MeshType = RemeshMeshType::Geodesic;
+    remesh.MeshType = type;
     remesh.Frequency = this->Options.MeanFrequency;
+    remesh.NumberOfPoints = geodesicSphereSize(this->Options.MeanFrequency);
     return remeshConsistently(meshes, remesh, run);
   }
 
@@ -277,7 +379,8 @@ SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& 
   {
     shares.insert(shares.end(), { 0.95, 0.05 }); // progress: registrations, then the mean
   }
-  Steps steps(run, shares);
+  constexpr double last = 0.95; // progress at which the last mean is computed
+  Steps steps(run.part(0.0, last), shares);
 
   SphericalTemplateResult result;
   result.Registrations = search.registeredWith(0, steps.next());
@@ -300,7 +403,7 @@ SphericalTemplateResult findSphericalTemplate(const std::vector<TemplateInput>& 
       break;
     }
   }
-  result.Mean = std::move(mean.Surface);
+  result.Mean = search.rigidMeanOf(result.Registrations, start, run.part(last, 1.0));
   run.report(1.0);
   return result;
 }

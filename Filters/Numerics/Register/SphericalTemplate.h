@@ -24,8 +24,8 @@ struct SphericalTemplateOptions
   SphericalRegistrationOptions Registration; ///< options of the registration of each surface
   /// Transform that aligns the shapes before their mean is computed.
   ShapeAlignment Alignment = ShapeAlignment::Rigid;
-  /// Frequency f of the mean's mesh, a geodesic sphere (subdivided icosahedron) with 10 f^2 + 2
-  /// points.
+  /// Frequency f of the mesh of the mean in the rounds, a geodesic sphere (subdivided icosahedron)
+  /// with 10 f^2 + 2 points. The mean of the result has about as many points.
   int MeanFrequency = 45;
   /// Maximum number of rounds, at least 0. Each round registers all surfaces with the mean.
   int MaximumNumberOfRounds = 4;
@@ -51,7 +51,8 @@ struct SphericalTemplateResult
   /// registered with the start surface instead. The start surface is one of the input surfaces, see
   /// findSphericalTemplate().
   std::vector<SphericalRegistrationResult> Registrations;
-  /// Mean shape on a geodesic sphere, with the center and orientation of the start surface.
+  /// Mean shape, with the center and orientation of the start surface. Sides of triangles have
+  /// about equal lengths on the surfaces.
   MappedMesh Mean;
   Index Start = 0; ///< index of the start surface
   /// Change of the mean in each round: root mean square displacement, divided by root mean square
@@ -68,10 +69,22 @@ struct SphericalTemplateResult
 ///    the latest registrations. Register all surfaces with this mean. Stop if the mean changes by
 ///    at most options.Tolerance.
 ///
+/// 4. Make a mesh whose sides have about equal lengths on the surfaces (RemeshMeshType::Adaptive).
+///    Average the triangles of the registered surfaces on this mesh, see rigidMean(). Limbs in
+///    different poses therefore keep their size in the mean.
+///
 /// Each registration begins with the input map of the surface, not with the result of the previous
 /// round. For each landmark index, the sphere positions of this landmark are averaged over all
 /// surfaces. The vertex of the mean that is closest to this average is the mean's landmark. No
 /// vertex is used twice.
+///
+/// If a registration is ambiguous, up to three third surfaces decide: those with unambiguous
+/// registrations of the lowest stretch. The ambiguous surface is registered with each third
+/// surface, whose map is that of its own registration. The result therefore composes two
+/// registrations. The third surface votes for the correspondence, best or second best, to which the
+/// result is at most half as far as to the other one. Results that are ambiguous do not vote. The
+/// majority decides, and the registration is no longer ambiguous. With equal votes, it remains
+/// ambiguous.
 ///
 /// A different order of the surfaces may result in a different start surface. If the start surface
 /// is the same, results differ only by rounding.

@@ -26,6 +26,9 @@ constexpr int NumberOfRounds = 5;
 // Bounds of the side lengths, divided by the target length: a split or a collapse brings a side of
 // this length closer to the target length.
 constexpr double LongSide = 4.0 / 3.0, ShortSide = 4.0 / 5.0;
+// Shortest side that is split because its triangle crosses another one, divided by the target
+// length. Where the map is too rough for the mesh, ever smaller triangles would cross, too.
+constexpr double ShortestSplit = 0.4;
 // Minimum area of a triangle of the sphere, divided by the square of its longest side. Flatter
 // triangles are not made, since rounding of positions could turn them over.
 constexpr double MinimumFlatness = 1e-7;
@@ -84,7 +87,7 @@ public:
       });
   }
 
-  void remesh(const Run& run)
+  Mesh remesh(const Run& run)
   {
     // Progress: rounds, then the number of points, then crossing triangles.
     std::vector<double> shares(NumberOfRounds, 0.16);
@@ -117,10 +120,12 @@ public:
     this->smooth(run.unwatched());
     this->flipAll();
     steps.next();
-    this->refineCrossings(run.unwatched());
+    Mesh result = this->refineCrossings(run.unwatched());
     run.report(1.0);
+    return result;
   }
 
+private:
   Mesh mesh() const
   {
     std::vector<int> ids(this->Places.size(), -1);
@@ -143,7 +148,6 @@ public:
     return mesh;
   }
 
-private:
   Coordinates coordinatesAt(const Vector3& place, std::vector<int>& hints) const
   {
     Coordinates x(this->Dimension);
@@ -649,13 +653,26 @@ private:
   }
 
   // Split sides of triangles that cross each other on a surface. The surfaces themselves rarely
-  // cross, so that smaller triangles do not.
-  void refineCrossings(const Run& run)
+  // cross, so that smaller triangles do not. Keep the mesh with the fewest crossing triangles:
+  // where the map is folded by rounding, splits only add further ones.
+  Mesh refineCrossings(const Run& run)
   {
     constexpr int maximum = 8;
-    for (int pass = 0; pass < maximum; ++pass)
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    Mesh best;
+    for (int pass = 0; pass <= maximum; ++pass)
     {
       const std::vector<std::array<int, 3>> crossing = this->crossingTriangles(run);
+      if (crossing.size() >= fewest)
+      {
+        break;
+      }
+      fewest = crossing.size();
+      best = this->mesh();
+      if (crossing.empty() || pass == maximum)
+      {
+        break;
+      }
       std::vector<std::pair<int, int>> touched;
       for (const std::array<int, 3>& ids : crossing)
       {
@@ -672,7 +689,7 @@ private:
             longest = std::max(longest, { this->length(a, b), std::min(a, b), std::max(a, b) });
           }
         }
-        if (longest.Length > 0.0 && this->split(longest.A, longest.B))
+        if (longest.Length > ShortestSplit * this->Length && this->split(longest.A, longest.B))
         {
           for (const int v : { longest.A, longest.B })
           {
@@ -685,10 +702,11 @@ private:
       }
       if (touched.empty())
       {
-        return;
+        break;
       }
       this->flip(std::move(touched));
     }
+    return best;
   }
 
   std::vector<std::array<int, 3>> crossingTriangles(const Run& run) const
@@ -735,7 +753,6 @@ Mesh remeshByMeanMetric(const std::vector<LocatedSurface>& surfaces, const Mesh&
   Index numberOfPoints, const Run& run)
 {
   Remesher remesher(surfaces, start, numberOfPoints, run.unwatched());
-  remesher.remesh(run);
-  return remesher.mesh();
+  return remesher.remesh(run);
 }
 }

@@ -16,6 +16,7 @@ using conformal::MorphPath;
 using conformal::morphShapes;
 using conformal::morphWeights;
 using conformal::Points;
+using conformal::rigidMean;
 using conformal::Vector3;
 using shapes::moved;
 
@@ -36,12 +37,13 @@ Points egg()
 }
 
 /// A bar along z that is bent by an angle in its middle, about x.
-Points bar(double angle)
+/// @param[in] width  half of the extent along x
+Points bar(double angle, double width = 0.3)
 {
   return shapes::over(sphere().Positions,
     [=](const Vector3& n) -> Vector3
     {
-      const Vector3 straight(0.3 * n[0], 0.3 * n[1], 4.0 * n[2]);
+      const Vector3 straight(width * n[0], 0.3 * n[1], 4.0 * n[2]);
       const double share = 1.0 / (1.0 + std::exp(-12.0 * n[2]));
       return Eigen::AngleAxisd(share * angle, Vector3::UnitX()) * straight;
     });
@@ -248,6 +250,55 @@ TEST(SphericalMorph, TrianglesWithoutAreaDoNotHarm)
   const Points nothing = Points::Zero(a.rows(), 3);
   EXPECT_TRUE(between({ nothing, a }, 0.5, MorphPath::Rigid).allFinite());
   EXPECT_LT(largestDistance(between({ nothing, nothing }, 0.5, MorphPath::Rigid), nothing), 1e-14);
+}
+
+TEST(RigidMean, OfEqualShapesIsThisShape)
+{
+  const Points a = egg();
+  EXPECT_EQ(rigidMean(sphere(), { a }), a);
+  EXPECT_LT(largestDistance(rigidMean(sphere(), { a, a, a }), a), 1e-10);
+}
+
+TEST(RigidMean, OfMovedCopiesIsCongruent)
+{
+  const Points a = egg();
+  const std::vector<Points> shapes = { a, moved(a, 1.0, { 7.0, -2.0, 1.0 }),
+    moved(a, -0.7, { 0.0, 3.0, 1.0 }) };
+  EXPECT_LT(stretch(rigidMean(sphere(), shapes), a), 1e-10);
+}
+
+// Plates that are bent to both sides: the mean is straight, and as long as they are.
+TEST(RigidMean, OfOppositeBendsIsStraightInAnyOrder)
+{
+  // Narrow bars that are bent to opposite sides would be turned about their axis.
+  constexpr double width = 3.0;
+  const Points straight = bar(0.0, width);
+  const std::vector<Points> shapes = { bar(1.2, width), bar(-1.2, width), bar(0.4, width),
+    bar(-0.4, width) };
+  const Points mean = rigidMean(sphere(), shapes);
+  const auto heightOf = [](const Points& points) { return points.rowwise().norm().maxCoeff(); };
+  const auto distanceBetween = [](const Points& from, const Points& to)
+  {
+    const Eigen::Matrix4d fit =
+      Eigen::umeyama(Eigen::Matrix3Xd(from.transpose()), Eigen::Matrix3Xd(to.transpose()), false);
+    const Points fitted = (from * fit.topLeftCorner<3, 3>().transpose()).rowwise() +
+      fit.topRightCorner<3, 1>().transpose();
+    return largestDistance(fitted, to);
+  };
+  EXPECT_LT(distanceBetween(mean, straight), 0.01 * heightOf(straight));
+  const Points otherOrder = rigidMean(sphere(), { shapes[2], shapes[1], shapes[3], shapes[0] });
+  EXPECT_LT(distanceBetween(otherOrder, mean), 1e-3 * heightOf(straight));
+}
+
+TEST(RigidMean, ThreadsChangeNoBitAndARunCanBeStopped)
+{
+  const std::vector<Points> shapes = { egg(), bar(1.0), bar(0.3) };
+  EXPECT_EQ(rigidMean(sphere(), shapes), rigidMean(sphere(), shapes, runs::backwards()));
+  EXPECT_THROW(rigidMean(sphere(), shapes, runs::stoppingAt(0.2)), conformal::Aborted);
+  runs::Watch watch;
+  rigidMean(sphere(), shapes, watch.run());
+  EXPECT_GT(watch.calls(), 5);
+  EXPECT_THROW(rigidMean(sphere(), {}), std::invalid_argument);
 }
 
 TEST(SphericalMorph, BadWeightsAreRefused)

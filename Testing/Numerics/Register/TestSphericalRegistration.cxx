@@ -17,6 +17,7 @@ using conformal::SphericalRegistrationOptions;
 using conformal::Vector3;
 using heads::head;
 using heads::meanAngle;
+using heads::twoEnds;
 using heads::withWarpedMap;
 
 TEST(SphericalRegistration, EqualSurfacesStay)
@@ -111,24 +112,6 @@ TEST(SphericalRegistration, LandmarksHelpOtherPoints)
     EXPECT_LT(error, last) << count;
     last = error;
   }
-}
-
-namespace
-{
-// A body with two equal ends: a turn by 180 degrees about z leaves it as it is.
-RegisteredSurface twoEnds()
-{
-  RegisteredSurface result = head(12);
-  result.Surface.Positions = shapes::over(result.Surface.SpherePositions,
-    [](const Vector3& n) -> Vector3
-    {
-      const auto bump = [&](const Vector3& at, double width)
-      { return std::exp((n.dot(at.normalized()) - 1.0) / (width * width)); };
-      return (1.0 + bump({ 1, 0.3, 0.4 }, 0.3) + bump({ -1, -0.3, 0.4 }, 0.3)) *
-        n.cwiseProduct(Vector3(1.6, 0.9, 1.0));
-    });
-  return result;
-}
 }
 
 TEST(SphericalRegistration, EqualEndsAreAmbiguousUnlessALandmarkDecides)
