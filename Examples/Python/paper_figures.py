@@ -212,7 +212,7 @@ class Gallery:
             rows[self.bunny] = csm, paper_models.smooth(csm, sampling="Network")
         panels = Panels(self.igea)
         for model, (csm, css) in rows.items():
-            camera = pictures.camera_on(model.mesh, *model.view, ASPECT)
+            camera = pictures.camera_on(model.mesh, model.view[0], model.view[1], ASPECT)
             for mesh, label in ((obtuse(model.few), "obtuse"), (csm, "acute")):
                 panels.add(painted(paper_models.mapped(mesh, "GuYau"), board, *model.view),
                            f"GCM (Gu-Yau) of {label} triangles", camera)
