@@ -74,16 +74,12 @@ bool areFloatsSufficient(double largestCoordinate, double resolution)
 
 std::array<double, 3> roundCenter(const Box& box)
 {
-  const double side = box.largestSide();
+  const double unit = std::pow(10.0, std::floor(std::log10(box.largestSide())));
   std::array<double, 3> center;
   for (std::size_t c = 0; c < 3; ++c)
   {
     center[c] = box.Low[c] / 2 + box.High[c] / 2;
-    if (side > 0.0)
-    {
-      const double unit = std::pow(10.0, std::floor(std::log10(side)));
-      center[c] = unit > 0.0 ? std::round(center[c] / unit) * unit : center[c];
-    }
+    center[c] = unit > 0.0 ? std::round(center[c] / unit) * unit : center[c];
   }
   return center;
 }
@@ -107,9 +103,9 @@ std::vector<double> storeCoordinates(NamedArray& points, double resolution, bool
   std::array<double, 3> shift = { 0.0, 0.0, 0.0 };
   const Box box = boxOf(points);
   const bool isEmpty = points.numberOfTuples() == 0;
+  const double side = isEmpty ? 0.0 : box.largestSide();
   double largest = isEmpty ? 0.0 : box.largestCoordinate(shift);
-  const bool isFar = !isEmpty && std::isfinite(box.largestSide()) &&
-    largest >= FarDistance * box.largestSide() && largest > 0.0;
+  const bool isFar = side > 0.0 && largest >= FarDistance * side;
   const bool isShifted = canShift && isFar && !areFloatsSufficient(largest, resolution);
   if (isShifted)
   {

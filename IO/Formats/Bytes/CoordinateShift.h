@@ -17,8 +17,8 @@ namespace conformal
 /// - Floats suffice if rounding changes no coordinate by more than a quarter of the resolution. The
 ///   numbers of the file can then be computed from the floats, even after a rotation.
 /// - If floats do not suffice, and the largest coordinate is at least 10 times the largest side of
-///   the bounding box, a vector is subtracted. It is the center of the bounding box, rounded to
-///   multiples of a power of 10 that is at most this side.
+///   the bounding box, which is not 0, a vector is subtracted. It is the center of the bounding
+///   box, rounded to multiples of a power of 10 that is at most this side.
 /// - The coordinates then become Float32 if floats suffice. Otherwise, they remain Float64.
 ///
 /// @param[in,out] points  coordinates, #P by 3, Float64, finite

@@ -131,7 +131,8 @@ private:
       {
         bits += field.bits();
       }
-      this->Pages.seek(scan.Section);
+      this->Pages.seek(scan.Section); // fails outside of the file
+      this->Input.seek(scan.Section);
       this->Limits.checkedCount(this->Input, "points", scan.NumberOfPoints, bits / 8, memory);
       if (scan.NumberOfPoints > maximum - total)
       {

@@ -68,6 +68,7 @@ void E57Sections::open(const E57Scan& scan)
     this->Pages.fail(
       ParseCode::Malformed, "found sections of points that overlap or are longer than the file");
   }
+  this->Left -= std::min<std::uint64_t>(this->Left, sizeof(header));
   this->Pages.seek(numberAt<std::uint64_t>(header + 16));
 }
 
@@ -76,6 +77,7 @@ void E57Sections::readPacket(std::vector<E57Column>& columns)
 {
   constexpr char dataPacket = 1;
   constexpr char ignoredPacket = 2; // 0 is a packet of the index, which is not needed
+  this->checkLeft(PacketHeaderBytes);
   this->Pages.read(this->Packet.data(), PacketHeaderBytes);
   const std::size_t bytes = std::size_t(numberAt<std::uint16_t>(this->Packet.data() + 2)) + 1;
   const char type = this->Packet[0];
@@ -83,11 +85,7 @@ void E57Sections::readPacket(std::vector<E57Column>& columns)
   {
     this->Pages.fail(ParseCode::Malformed, "expected a packet of points");
   }
-  if (bytes > this->Left)
-  {
-    this->Pages.fail(ParseCode::PrematureEnd,
-      "the section of points ends before the values that recordCount states");
-  }
+  this->checkLeft(bytes);
   this->Left -= bytes;
   if (type != dataPacket)
   {
@@ -96,6 +94,16 @@ void E57Sections::readPacket(std::vector<E57Column>& columns)
   }
   this->Pages.read(this->Packet.data() + PacketHeaderBytes, bytes - PacketHeaderBytes);
   this->readData(columns, bytes);
+}
+
+//------------------------------------------------------------------------------
+void E57Sections::checkLeft(std::size_t bytes) const
+{
+  if (bytes > this->Left)
+  {
+    this->Pages.fail(ParseCode::PrematureEnd,
+      "the section of points ends before the values that recordCount states");
+  }
 }
 
 //------------------------------------------------------------------------------

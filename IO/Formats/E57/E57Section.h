@@ -34,6 +34,7 @@ public:
 
 private:
   void open(const E57Scan& scan);
+  void checkLeft(std::size_t bytes) const;
   void readPacket(std::vector<E57Column>& columns);
   void readData(std::vector<E57Column>& columns, std::size_t bytes);
 

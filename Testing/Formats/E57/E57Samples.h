@@ -296,7 +296,8 @@ inline std::vector<std::string> E57Files()
 // Return broken files. Each file breaks a different rule of the format.
 inline std::vector<std::string> BadE57Files()
 {
-  const E57Sample scan = E57FloatScan(3);
+  const E57Sample scan =
+    E57FloatScan(3, "<description type=\"String\">" + std::string(1500, 'd') + "</description>");
   const std::string good = E57FileOf({ scan });
   const auto changed = [&](std::size_t at, const std::string& bytes) // with a right checksum
   {
@@ -320,6 +321,10 @@ inline std::vector<std::string> BadE57Files()
     E57IntegerField("cartesianY", "1", "1") + E57IntegerField("cartesianZ", "1", "1");
   constant.Streams = { "", "", "" };
   constant.Points = 4000000000;
+  const std::string shared =
+    "<vectorChild type=\"Structure\"><points type=\"CompressedVector\" "
+    "fileOffset=\"48\" recordCount=\"200\"><prototype type=\"Structure\">" +
+    scan.Prototype + "</prototype></points></vectorChild>";
   std::string damaged = good;
   damaged[200] = static_cast<char>(damaged[200] ^ 1);
   return { good.substr(0, good.size() - 1), good.substr(0, 1024), good + std::string(1024, '\0'),
@@ -342,8 +347,7 @@ inline std::vector<std::string> BadE57Files()
     replaced(with("<e57Root", "<!DOCTYPE a [<!ENTITY b \"c\">]><e57Root"), "<>", ""),
     E57FileOf({ E57FloatScan(1, E57Pose({ "0", "0", "0", "0", "1", "2", "3" })) }),
     E57FileOf({ E57FloatScan(1, E57Pose({ "one", "0", "0", "0", "1", "2", "3" })) }),
-    E57FileOf({ scan, scan }, "fileOffset=\"" + std::to_string(48 + E57SectionOf(scan, 48).size()),
-      "fileOffset=\"48"),
+    E57FileOf({ E57FloatScan(200) }, "</data3D>", shared + shared + shared + shared + "</data3D>"),
     E57FileOf({ large }), E57FileOf({ shortened }), E57FileOf({ lengthened }),
     E57FileOf({ constant }) };
 }

@@ -83,13 +83,13 @@ TEST(E57Parser, ReadsScansTogetherOrOne)
     samples::E57FloatScan(1, samples::E57Pose({ "1", "0", "0", "0", "1", "2", "3" })) });
   const SurfaceResult all = parseGood(file);
   EXPECT_EQ(
-    values<float>(all.Data.Points), (std::vector<float>{ 0, 0, 0.5F, 1, 2, 0.5F, 1, 2, 3.5F }));
+    values<double>(all.Data.Points), (std::vector<double>{ 0, 0, 0.5, 1, 2, 0.5, 1, 2, 3.5 }));
   ExpectArray<std::int32_t>(all.Data.PointArrays, "ScanId", ScalarType::Int32, 1, { 0, 0, 2 });
   ExpectArray<std::int16_t>(
     all.Data.PointArrays, "Intensity", ScalarType::Int16, 1, { -5, -4, -5 });
   EXPECT_EQ(samples::find(all.Data.PointArrays, "ScannerPosition"), nullptr);
   const SurfaceResult last = parseGood(file, 2);
-  EXPECT_EQ(values<float>(last.Data.Points), (std::vector<float>{ 1, 2, 3.5F }));
+  EXPECT_EQ(values<double>(last.Data.Points), (std::vector<double>{ 1, 2, 3.5 }));
   EXPECT_EQ(samples::find(last.Data.PointArrays, "ScanId"), nullptr);
   EXPECT_EQ(parseGood(file, 1).Data.Points.numberOfTuples(), 0u);
   EXPECT_THROW(parse(file, 3), std::invalid_argument);
@@ -288,7 +288,8 @@ TEST(E57Parser, RefusesBrokenFiles)
   ExpectRefused(damaged, ParseCode::Malformed, "checksum");
   ExpectRefused("ASTM-X57" + good, ParseCode::UnrecognizedType, "ASTM-E57");
   ExpectRefused("", ParseCode::PrematureEnd, "empty");
-  ExpectRefused(good.substr(0, 1500), ParseCode::PrematureEnd, "1500 bytes");
+  ExpectRefused(good.substr(0, 1000), ParseCode::PrematureEnd, "first page");
+  ExpectRefused(samples::E57FromPye57().substr(0, 1500), ParseCode::PrematureEnd, "1500 bytes");
   ExpectRefused(samples::E57FileOf({ samples::E57FloatScan(3) }, "cartesianZ", "other"),
     ParseCode::Malformed, "cartesianX");
   ExpectRefused(

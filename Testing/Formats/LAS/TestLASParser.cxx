@@ -131,6 +131,6 @@ TEST(LASParser, RefusesBrokenFiles)
   compressed[104] = static_cast<char>(0x83);
   ExpectRefused(compressed, ParseCode::Malformed, "convert the file to LAS");
   ExpectRefused("", ParseCode::PrematureEnd, "empty");
-  ExpectRefused("LASER", ParseCode::PrematureEnd, "header");
+  ExpectRefused("LASF 1.4", ParseCode::PrematureEnd, "header");
   ExpectRefused("laser", ParseCode::UnrecognizedType, "LASF");
 }
