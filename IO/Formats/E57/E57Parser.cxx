@@ -1,7 +1,7 @@
 #include "E57/E57Parser.h"
 
-#include "Bytes/CoordinateShift.h"
 #include "Bytes/ProgressReport.h"
+#include "Coordinates/CoordinateShift.h"
 #include "E57/E57Arrays.h"
 #include "E57/E57Section.h"
 

@@ -1,8 +1,8 @@
 #include "LAS/LASParser.h"
 
 #include "Bytes/ByteOrder.h"
-#include "Bytes/CoordinateShift.h"
 #include "Bytes/ProgressReport.h"
+#include "Coordinates/CoordinateShift.h"
 #include "LAS/LASHeader.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "Bytes/CoordinateShift.h"
+#include "Coordinates/CoordinateShift.h"
 
 #include <algorithm>
 #include <array>

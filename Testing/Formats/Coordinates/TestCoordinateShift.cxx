@@ -1,6 +1,6 @@
-#include "Bytes/CoordinateShift.h"
+#include "Coordinates/CoordinateShift.h"
 
-#include "ParsedArrays.h"
+#include "../Bytes/ParsedArrays.h"
 
 #include <algorithm>
 #include <cmath>
