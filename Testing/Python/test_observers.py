@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 import numpy as np
 
 import conformalsom
+import output_cases
 from conformalsom import (
     vtkConformalSOM, vtkGeodesicSphereSource, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceHarmonics)
 

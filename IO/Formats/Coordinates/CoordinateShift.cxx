@@ -10,7 +10,8 @@ namespace conformal
 {
 namespace
 {
-constexpr double FarDistance = 10.0; // minimum distance from the origin [sides of the box]
+constexpr double FarDistance = 10.0;    // minimum distance from the origin [sides of the box]
+constexpr double MaximumUnits = 0x1p52; // doubles above this number are integers
 
 struct Box
 {
@@ -79,7 +80,11 @@ std::array<double, 3> roundCenter(const Box& box)
   for (std::size_t c = 0; c < 3; ++c)
   {
     center[c] = box.Low[c] / 2 + box.High[c] / 2;
-    center[c] = unit > 0.0 ? std::round(center[c] / unit) * unit : center[c];
+    const double units = center[c] / unit;
+    if (std::abs(units) < MaximumUnits)
+    {
+      center[c] = std::round(units) * unit;
+    }
   }
   return center;
 }

@@ -83,4 +83,9 @@ TEST(CoordinateShift, AcceptsEmptySingleAndExtremeClouds)
   NamedArray extreme = cloudOf({ -huge, 0, 0, huge, 0, 0 });
   EXPECT_TRUE(conformal::storeCoordinates(extreme, huge, true).empty());
   EXPECT_EQ(values<double>(extreme), (std::vector<double>{ -huge, 0, 0, huge, 0, 0 }));
+  NamedArray distant = cloudOf({ 1e258, 0, 0, 1e258, 4e-97, 0 });
+  const std::vector<double> shift = conformal::storeCoordinates(distant, 0.0, true);
+  ASSERT_EQ(shift.size(), 3u);
+  EXPECT_EQ(shift[0], 1e258);
+  EXPECT_NEAR(shift[1], 2e-97, 1e-110);
 }
