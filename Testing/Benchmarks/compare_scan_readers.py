@@ -89,7 +89,7 @@ def write_las(path, cloud):
 
 
 def read_pye57(path):
-    scan = pye57.E57(path).read_scan(0, intensity=True, colors=True, transform=True)
+    scan = pye57.E57(path).read_scan(0, intensity=True, colors=True, transform=True, ignore_missing_fields=True)
     return (np.stack([scan["cartesian" + axis] for axis in "XYZ"], axis=1),
             np.stack([scan["color" + name] for name in ("Red", "Green", "Blue")], axis=1), scan["intensity"])
 
