@@ -111,6 +111,24 @@ inline std::string E57PagesOf(std::string contents)
   return file;
 }
 
+// Return a file with the length and the checksums of its contents, which may have been changed.
+inline std::string E57WithChecksums(const std::string& file)
+{
+  std::string contents;
+  for (std::size_t page = 0; page < file.size(); page += 1024)
+  {
+    contents += file.substr(page, E57PageContents);
+  }
+  constexpr std::size_t lengthOffset = 16;
+  const std::uint64_t pages = (contents.size() + E57PageContents - 1) / E57PageContents;
+  const std::string length = Bytes(false).add(1024 * pages).bytes();
+  if (contents.size() >= lengthOffset + length.size())
+  {
+    contents.replace(lengthOffset, length.size(), length);
+  }
+  return E57PagesOf(contents);
+}
+
 // Return the file of scans. The second text replaces the first in the XML.
 inline std::string E57FileOf(
   const std::vector<E57Sample>& scans, const std::string& from = "<>", const std::string& to = "")
@@ -290,7 +308,7 @@ inline std::vector<std::string> E57Files()
   return { E57FromPye57(),
     E57FileOf({ E57FloatScan(3, E57Pose({ "1", "0", "0", "0", "412000", "5318000", "500" })),
       E57FloatScan(2), E57FloatScan(0) }),
-    E57FileOf({ E57SphericalScan() }), E57FileOf({}) };
+    E57FileOf({ E57SphericalScan() }) };
 }
 
 // Return broken files. Each file breaks a different rule of the format.

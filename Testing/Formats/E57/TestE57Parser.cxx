@@ -95,6 +95,11 @@ TEST(E57Parser, ReadsScansTogetherOrOne)
   EXPECT_THROW(parse(file, 3), std::invalid_argument);
 }
 
+TEST(E57Parser, AFileMayHaveNoScans)
+{
+  EXPECT_EQ(parseGood(samples::E57FileOf({})).Data.Points.numberOfTuples(), 0u);
+}
+
 TEST(E57Parser, ConvertsSphericalCoordinates)
 {
   const SurfaceResult result = parseGood(samples::E57FileOf({ samples::E57SphericalScan() }));
