@@ -305,9 +305,9 @@ inline std::string E57FromPye57()
 
 inline std::vector<std::string> E57Files()
 {
+  const std::string pose = E57Pose({ "1", "0", "0", "0", "412000", "5318000", "500" });
   return { E57FromPye57(),
-    E57FileOf({ E57FloatScan(3, E57Pose({ "1", "0", "0", "0", "412000", "5318000", "500" })),
-      E57FloatScan(2), E57FloatScan(0) }),
+    E57FileOf({ E57FloatScan(3, pose), E57FloatScan(2, pose), E57FloatScan(0) }),
     E57FileOf({ E57SphericalScan() }) };
 }
 
