@@ -16,7 +16,7 @@
  * between a scanner and the points that it has measured. The array is a point array with the
  * position of each point's scanner, or a field array with one position for all points. A position
  * that is not finite is unknown. Without the array, nothing is known about scanners.
- * vtkPCDReader and vtkStanfordScansReader write the array.
+ * vtkE57Reader, vtkPCDReader and vtkStanfordScansReader write the array.
  *
  * Input port 1, optional: vtkPolyData, a closed mesh of genus zero with the point array
  * "SpherePosition". If this mesh is present, an adaptive mesh (see MeshType) is learned from this

@@ -389,14 +389,19 @@ void SetSurfaceData(vtkPolyData* output, conformal::SurfaceData& data)
   points->SetData(ToArray(data.Points));
   output->SetPoints(points);
   AddArrays(data.PointArrays, output->GetPointData());
-  if (!data.ScannerPosition.empty())
+  const auto addVector = [&](const char* name, const std::vector<double>& vector)
   {
-    vtkNew<vtkDoubleArray> scanner;
-    scanner->SetName("ScannerPosition");
-    scanner->SetNumberOfComponents(3);
-    scanner->InsertNextTuple(data.ScannerPosition.data());
-    output->GetFieldData()->AddArray(scanner);
-  }
+    if (!vector.empty())
+    {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(name);
+      array->SetNumberOfComponents(3);
+      array->InsertNextTuple(vector.data());
+      output->GetFieldData()->AddArray(array);
+    }
+  };
+  addVector("ScannerPosition", data.ScannerPosition);
+  addVector("CoordinateShift", data.CoordinateShift);
   if (isCloud)
   {
     output->SetVerts(VertexOfEachPoint(points->GetNumberOfPoints()));

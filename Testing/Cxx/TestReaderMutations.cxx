@@ -1,6 +1,7 @@
 // Broken files: none crashes a reader, hangs it, makes it want much memory, or passes for whole.
 #include "../Cases/ReaderCase.h"
 #include "../Formats/Bytes/Mutations.h"
+#include "../Formats/E57/E57Samples.h"
 #include "../TemporaryFolder.h"
 #include "ReaderCheck.h"
 #include "ReaderContract.h"
@@ -25,6 +26,15 @@ std::size_t PeakMemory()
 #else
   return 0;
 #endif
+}
+
+// Change bytes of a file. Of most E57 files, renew the checksums, without which every change is
+// refused.
+std::string MutatedFile(const std::string& file, std::uint32_t seed)
+{
+  const std::string bytes = samples::Mutated(file, seed);
+  return file.compare(0, 8, "ASTM-E57") == 0 && seed % 8 != 0 ? samples::E57WithChecksums(bytes)
+                                                              : bytes;
 }
 
 // Reads a file and looks at the outcome. Returns whether it was read.
@@ -63,7 +73,7 @@ TEST(ReaderMutations, EndInAnErrorOrInWholeData)
     {
       SCOPED_TRACE(seed);
       const std::string bytes =
-        samples::Mutated(test.Files[seed % test.Files.size()], static_cast<std::uint32_t>(seed));
+        MutatedFile(test.Files[seed % test.Files.size()], static_cast<std::uint32_t>(seed));
       largest = std::max(largest, bytes.size());
       read += ExpectTrustworthy(test, folder.write("a file", bytes)) ? 1 : 0;
       ASSERT_FALSE(HasFailure());

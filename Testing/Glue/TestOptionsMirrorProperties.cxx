@@ -1,10 +1,14 @@
 // Options of the core and properties of the classes have the same defaults.
 #include "../Cases/Case.h"
+#include "E57/E57Parser.h"
+#include "LAS/LASParser.h"
 #include "PLY/PLYParser.h"
 #include "StanfordScans/AlignedScans.h"
 #include "TIFF/TIFFStackParser.h"
 #include "TextCloud/TextCloudParser.h"
+#include "vtkConformalLASReader.h"
 #include "vtkConformalPLYReader.h"
+#include "vtkE57Reader.h"
 #include "vtkStanfordScansReader.h"
 #include "vtkTIFFStackReader.h"
 #include "vtkTextCloudReader.h"
@@ -25,6 +29,21 @@ TEST(OptionsMirrorProperties, OfEveryCase)
     }
   }
   EXPECT_GT(compared, 100);
+}
+
+TEST(OptionsMirrorProperties, ConformalLASReader)
+{
+  const conformal::LASOptions options;
+  vtkNew<vtkConformalLASReader> reader;
+  EXPECT_EQ(reader->GetShiftCoordinates(), options.ShiftCoordinates);
+}
+
+TEST(OptionsMirrorProperties, E57Reader)
+{
+  const conformal::E57Options options;
+  vtkNew<vtkE57Reader> reader;
+  EXPECT_EQ(reader->GetScanId(), options.ScanId);
+  EXPECT_EQ(reader->GetShiftCoordinates(), options.ShiftCoordinates);
 }
 
 TEST(OptionsMirrorProperties, ConformalPLYReader)

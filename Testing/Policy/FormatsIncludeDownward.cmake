@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.18)
 
 file(GLOB rooms RELATIVE "${SOURCE_DIR}/IO/Formats" "${SOURCE_DIR}/IO/Formats/*")
-set(below_others Bytes Text PLY)
+set(below_others Bytes Text Coordinates PLY)
 list(REMOVE_ITEM rooms CMakeLists.txt ${below_others})
 list(PREPEND rooms ${below_others})
 set(below_Bytes)
@@ -11,6 +11,9 @@ foreach (room IN LISTS rooms)
   if (NOT room STREQUAL "Bytes")
     set(below_${room} Bytes)
   endif ()
+endforeach ()
+foreach (room IN ITEMS E57 LAS)
+  list(APPEND below_${room} Coordinates) # the shift of map coordinates
 endforeach ()
 list(APPEND below_StanfordScans PLY) # the scans are PLY files
 foreach (room IN ITEMS GIFTI Page Textured)

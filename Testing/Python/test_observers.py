@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 import numpy as np
 
 import conformalsom
+import output_cases
 from conformalsom import (
     vtkConformalSOM, vtkGeodesicSphereSource, vtkSphericalTextureImage, vtkSphericalTextureMap, vtkSurfaceHarmonics)
 
@@ -330,6 +331,12 @@ class TestObservers(unittest.TestCase):
             expect_reader_kept("PCD", "read.pcd")
             expect_reader_kept("PlateModel", "read.tab")
             expect_reader_kept("StanfordScans", "read.conf")
+            for name in output_cases.DERIVED_READERS:
+                files = output_cases.CASES[name].files["default"]
+                for file, bytes_ in files.items():
+                    with open(path(file), "wb") as opened:
+                        opened.write(bytes_)
+                expect_reader_kept(name[len("vtk"):-len("Reader")], next(iter(files)))
             table = coefficients()
             write("SPHARMCoefficient", "read.coef", table)
             expect_reader_kept("SPHARMCoefficient", "read.coef")

@@ -313,7 +313,7 @@ class ReadFiles:
 
 
 # Names that the files above give to numbers of their own.
-NAMES_OF_FILES = {"confidence", "flags", "label", "Column5"}
+NAMES_OF_FILES = {"confidence", "flags", "label", "Column5", "rowIndex", "columnIndex", "timeStamp"}
 
 
 def arrays_of(output, port=0):

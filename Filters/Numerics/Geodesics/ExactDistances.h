@@ -17,13 +17,13 @@ namespace conformal
 /// later methods. A window is an interval of an edge that paths from one vertex reach in straight
 /// lines across the same triangles. Windows are continued across triangles, the nearest one first.
 /// As in \cite Chen1990, only the window of an angle that is nearest to the corner is continued to
-/// both other edges. Windows that cannot contain a shortest path are removed by the three conditions
-/// of \cite Xin2009 in section 3.2. Paths bend only at saddles (vertices whose angles have a sum
-/// greater than 2 pi) and at borders, where new windows start.
+/// both other edges. Windows that cannot contain a shortest path are removed by the three
+/// conditions of \cite Xin2009 in section 3.2. Paths bend only at saddles (vertices whose angles
+/// have a sum greater than 2 pi) and at borders, where new windows start.
 ///
-/// Implementation note: distances are bounded by paths along edges from the beginning, which removes
-/// more windows. Windows are not removed where lengths differ by less than 1e-12 of the largest
-/// distance.
+/// Implementation note: distances are bounded by paths along edges from the beginning, which
+/// removes more windows. Windows are not removed where lengths differ by less than 1e-12 of the
+/// largest distance.
 ///
 /// The cost grows with about the power 1.5 of the number of vertices, see the guide.
 class ExactDistances

@@ -53,7 +53,7 @@ ByteReader::ByteReader(Read read, std::uint64_t size, Seek seek)
 //------------------------------------------------------------------------------
 void ByteReader::refill(std::size_t count)
 {
-  if (!this->Source)
+  if (!this->Source || this->fetched() == this->Size)
   {
     return;
   }
@@ -79,14 +79,9 @@ void ByteReader::refill(std::size_t count)
     wanted > kept ? this->Source(this->Buffer.data() + kept, wanted - kept) : 0;
   this->Window = this->Begin = this->Buffer.data();
   this->End = this->Begin + kept + got;
-  const std::uint64_t fetched = this->WindowOffset + kept + got;
   if (kept + got < wanted)
   {
-    this->Size = fetched; // the input is shorter than its stated size
-  }
-  if (fetched == this->Size)
-  {
-    this->Source = nullptr;
+    this->Size = this->fetched(); // the input is shorter than its stated size
   }
 }
 
@@ -94,13 +89,10 @@ void ByteReader::refill(std::size_t count)
 bool ByteReader::skip(std::uint64_t count)
 {
   const std::uint64_t target = this->offset() + std::min(count, this->left());
-  const std::uint64_t fetched = this->WindowOffset + (this->End - this->Window);
-  if (this->Binary && this->Source && this->Jump && target > fetched)
+  if (this->Binary && this->Jump && target > this->fetched())
   {
     count -= target - this->offset();
-    this->Jump(target);
-    this->WindowOffset = target;
-    this->Window = this->Begin = this->End = this->Buffer.data();
+    this->seek(target);
   }
   while (count > 0)
   {
@@ -113,6 +105,24 @@ bool ByteReader::skip(std::uint64_t count)
     this->advance(step);
     count -= step;
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ByteReader::seek(std::uint64_t offset)
+{
+  if (offset >= this->WindowOffset && offset <= this->fetched())
+  {
+    this->Begin = this->Window + (offset - this->WindowOffset);
+    return true;
+  }
+  if (offset > this->Size || !this->Jump)
+  {
+    return false;
+  }
+  this->Jump(offset);
+  this->WindowOffset = offset;
+  this->Window = this->Begin = this->End = this->Buffer.data();
   return true;
 }
 

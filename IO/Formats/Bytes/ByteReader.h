@@ -56,6 +56,11 @@ public:
   /// @return false if the input ends before these bytes
   bool skip(std::uint64_t count);
 
+  /// Move to an offset of the input, before or after the current position. An input that is not in
+  /// memory needs the function Seek. Call beginBinary() first.
+  /// @return false if the input ends before this offset, or cannot be moved
+  bool seek(std::uint64_t offset);
+
   /// Stop counting lines for error messages. Call this function if the rest of the input is binary,
   /// or if bytes were skipped without counting their lines.
   void beginBinary() { this->Binary = true; }
@@ -73,6 +78,7 @@ public:
 
 private:
   void refill(std::size_t count);
+  std::uint64_t fetched() const { return this->WindowOffset + (this->End - this->Window); }
 
   Read Source;
   Seek Jump;

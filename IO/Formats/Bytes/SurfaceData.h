@@ -28,6 +28,9 @@ struct SurfaceData
   /// Position of the scanner that measured all points, 3 numbers; empty if unknown
   std::vector<double> ScannerPosition;
 
+  /// Vector that the parser subtracted from the coordinates of the file, 3 numbers; empty if none
+  std::vector<double> CoordinateShift;
+
   std::uint64_t DroppedPoints = 0; ///< number of points omitted because a coordinate is not finite
   std::uint64_t DroppedPolygons = 0; ///< number of polygons omitted: under 3 ids, or a repeated id
   std::uint64_t ReplacedValues = 0;  ///< number of array values that were not finite, replaced by 0

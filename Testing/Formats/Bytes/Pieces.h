@@ -22,7 +22,7 @@ inline conformal::ByteReader InPieces(const std::string& bytes)
       *position += count;
       return count;
     },
-    bytes.size());
+    bytes.size(), [position](std::uint64_t offset) { *position = offset; });
 }
 }
 

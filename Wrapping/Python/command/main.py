@@ -17,8 +17,8 @@ from .steps import Interrupted
 
 DESCRIPTION = """\
 Turns the points of 3-D scans into closed, smooth, painted surfaces. A scan may have any format that
-ConformalSOM or VTK reads (PLY, OFF, PCD, points as text, FreeSurfer, GIFTI, OBJ, STL, VTP ...). Its
-points and colors are used; its triangles are used only if they form one closed surface."""
+ConformalSOM or VTK reads (PLY, OFF, PCD, E57, LAS, points as text, FreeSurfer, GIFTI, OBJ, STL, VTP
+...). Its points and colors are used; its triangles are used only if they form one closed surface."""
 
 EPILOG = """\
 examples:
