@@ -7,6 +7,8 @@
 spheres   geodesic spheres, on which distances from a point are known exactly. The error is relative, as mean over all
           other points. Seconds are CPU seconds: of the first source with the factorization, of each further one, and of
           a source by Method EXACT.
+spheroids spheres flattened along z, on which distances are those of geographiclib (MIT), if it is installed. Seconds are
+          not printed.
 surfaces  files: mean relative difference from exact polyhedral distances of pygeodesic (MIT), if it is installed, from
           three points each, of the distances and paths of vtkSurfaceGeodesics, and of paths along edges by
           vtkDijkstraGraphGeodesicPath. "longer" are paths that are longer by more than 1e-6 than the exact distance:
@@ -86,6 +88,34 @@ def measure_spheres():
         exact = seconds(exact_filter(surface, 0).Update)
         print(f"| {len(points):,} | {100 * mean:.2f} % | {100 * largest:.2f} % | {first:.2f} | {further:.3f} | "
               f"{exact:.2f} |", flush=True)
+
+
+def measure_spheroids():
+    try:
+        from geographiclib.geodesic import Geodesic
+    except ImportError:
+        print("geographiclib is not installed; spheroids are not measured")
+        return
+    print("\n| flattening | points | Method HEAT | Method EXACT |\n| --- | --- | --- | --- |")
+    for flattening in (0.1, 0.3, -0.3):
+        oracle = Geodesic(1.0, flattening)
+        for frequency in (32, 100):
+            surface = sphere(frequency)
+            unit = points_of(surface)
+            places, angles = vtkPoints(), np.degrees(np.arctan2(unit[:, 1], unit[:, 0]))
+            places.SetDataTypeToDouble()
+            places.SetData(numpy_to_vtk(unit * [1.0, 1.0, 1.0 - flattening], deep=True))
+            surface.SetPoints(places)
+            normals = unit * [1.0, 1.0, 1.0 / (1.0 - flattening)]
+            latitudes = np.degrees(np.arctan2(normals[:, 2], np.hypot(normals[:, 0], normals[:, 1])))
+            targets = np.random.default_rng(6).choice(np.arange(1, len(unit)), 500, replace=False)
+            exact = np.array([oracle.Inverse(latitudes[7], angles[7], latitudes[i], angles[i])["s12"] for i in targets])
+            filter_ = exact_filter(surface, 7)
+            filter_.Update()
+            found = vtk_to_numpy(filter_.GetOutput().GetPointData().GetArray("GeodesicDistance"))
+            heat = distances_of(surface, 7)
+            print(f"| {flattening} | {len(unit):,} | {100 * relative(heat[targets], exact).mean():.2f} % | "
+                  f"{100 * relative(found[targets], exact).mean():.3f} % |", flush=True)
 
 
 def along_edges(surface, source, targets):
@@ -260,6 +290,7 @@ def main():
         draw(options.picture)
         return
     measure_spheres()
+    measure_spheroids()
     measure_files(options.surfaces)
 
 
