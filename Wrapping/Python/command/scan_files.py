@@ -47,6 +47,14 @@ def scan_reader(path):
     return reader
 
 
+def note_shift(points, steps):
+    """Show which vector a reader subtracted from coordinates of maps, if it did."""
+    shift = points.GetFieldData().GetArray("CoordinateShift")
+    if shift and any(shift.GetTuple3(0)):
+        numbers = " ".join(f"{number:.15g}" for number in shift.GetTuple3(0))
+        steps.note("Read the scan", f"coordinates are large; {numbers} is subtracted from those of all written files")
+
+
 def check_stl(path):
     """Raise ValueError for what is no STL file, or only a part of one, which VTK's reader takes."""
     with open(path, "rb") as file:

@@ -194,6 +194,7 @@ def make_surface(task, texture, options, steps):
     points = scan.GetOutputDataObject(0)
     if points.GetNumberOfPoints() == 0:
         raise ValueError(f"{scan_path}: no points found")
+    scan_files.note_shift(points, steps)
     colors = scan_colors.colors_of(points) if texture is None else None
     meters = labels.meters_of(points, options.unit, "m", steps)
 
