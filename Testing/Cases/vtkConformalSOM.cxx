@@ -8,6 +8,9 @@
 #include "Properties.h"
 #include "Surfaces.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cmath>
@@ -139,7 +142,21 @@ std::vector<ProgressRun> ProgressRuns()
       return som;
     };
   };
+  const auto withPattern = []()
+  {
+    const SurfacePointer cloud = Head(60);
+    vtkNew<vtkDoubleArray> height;
+    height->SetName("Height");
+    height->SetNumberOfValues(cloud->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+    {
+      height->SetValue(i, cloud->GetPoint(i)[2]);
+    }
+    cloud->GetPointData()->AddArray(height);
+    return cloud;
+  };
   return { Run<F>("head", head),
+    Run<F>("head, pattern array", withPattern, [](F* som) { som->AddPatternArray("Height", 1.0); }),
     Run<F>("head, large", head, [](F* som) { som->SetNumberOfNeurons(25002); }),
     Run<F>("head, without a fit", head, [](F* som) { som->SetFitIterations(0); }),
     Run<F>("limbs", limbs),
