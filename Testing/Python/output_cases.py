@@ -732,15 +732,16 @@ CASES = {
 
 
 DERIVED_READERS = []  # names of readers with a derived case
+UNTRIED_READERS = []  # those of an installed package, which has no program that makes their files
+READER_FILES = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(conformalsom.__file__)))),
+                            "Testing", "Cases", "ReaderFiles")
 
 
 def files_of_case(name):
     """Valid files of the case Testing/Cases/<name>.cxx of a reader, for each run of its own."""
-    build = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(conformalsom.__file__))))
-    program = os.path.join(build, "Testing", "Cases", "ReaderFiles")
     runs = {}
     with tempfile.TemporaryDirectory() as folder:
-        listed = subprocess.run([program, name, folder], check=True, capture_output=True, text=True).stdout
+        listed = subprocess.run([READER_FILES, name, folder], check=True, capture_output=True, text=True).stdout
         for i, path in enumerate(listed.splitlines()):
             beside = sorted(set(os.listdir(os.path.dirname(path))) - {os.path.basename(path)})
             runs["default" if i == 0 else f"file {i}"] = {
@@ -758,7 +759,9 @@ def add_derived_cases():
     for name, class_ in concrete_classes().items():
         if name in CASES:
             continue
-        if name.endswith("Reader"):
+        if name.endswith("Reader") and not os.path.exists(READER_FILES):
+            UNTRIED_READERS.append(name)
+        elif name.endswith("Reader"):
             DERIVED_READERS.append(name)
             CASES[name] = Reader(files_of_case(name))
         elif name.endswith("Writer"):

@@ -171,7 +171,7 @@ def record(wanted, is_mpi):
     rows, failures = {}, []
     classes = output_cases.concrete_classes()
     failures += [f"{name} has no case; add one to output_cases.py" for name in classes
-                 if name not in output_cases.CASES]
+                 if name not in output_cases.CASES and name not in output_cases.UNTRIED_READERS]
     failures += [f"{name} has a case and is not in the package" for name in output_cases.CASES
                  if name not in classes]
     for name, case in sorted(output_cases.CASES.items()):

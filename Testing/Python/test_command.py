@@ -654,6 +654,8 @@ class TestFormats(unittest.TestCase):
         for reader in set(scan_files.OUR_READERS):
             if reader.__name__ not in tried:  # the right class opens the files of its case
                 folder = os.path.join(self.folder, reader.__name__)
+                if reader.__name__ in output_cases.UNTRIED_READERS:
+                    continue
                 for number, files in enumerate(output_cases.CASES[reader.__name__].files.values()):
                     os.makedirs(os.path.join(folder, str(number)))
                     for name, bytes_ in files.items():

@@ -44,7 +44,7 @@ def rows_of(data):
 class TestOutputs(unittest.TestCase):
     def test_every_class_has_a_case(self):
         self.assertGreater(len(output_cases.concrete_classes()), 40)
-        self.assertEqual(set(output_cases.CASES), set(output_cases.concrete_classes()))
+        self.assertEqual({*output_cases.CASES, *output_cases.UNTRIED_READERS}, set(output_cases.concrete_classes()))
 
     def test_every_class_has_the_same_rows_on_1_and_more_threads(self):
         alone, failures = rows_on(1)
