@@ -16,8 +16,8 @@ foreach (room IN ITEMS E57 LAS)
   list(APPEND below_${room} Coordinates) # the shift of map coordinates
 endforeach ()
 list(APPEND below_StanfordScans PLY) # the scans are PLY files
-foreach (room IN ITEMS GIFTI Page Textured)
-  list(APPEND below_${room} Text) # base64, JSON
+foreach (room IN ITEMS E57 GIFTI Page Textured)
+  list(APPEND below_${room} Text) # base64, JSON, XML
 endforeach ()
 
 # All may include the execution context of the core.

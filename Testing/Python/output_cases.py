@@ -672,7 +672,7 @@ CASES = {
         inputs(lambda: chain()["vtkSphericalTextureMap"], mapped, ImageSize=(48, 40))),
     "vtkSurfaceGeodesics": Filter(
         inputs(mapped, NumberOfFarthestPoints=2), inputs(mapped, NumberOfFarthestPoints=2),
-        others={"picked": inputs([], torus), "exact": properties_of(Method="Exact")}),
+        others={"picked": inputs([], torus)}),
     "vtkSurfaceShape": Filter(inputs(mapped), others={"scales": properties_of(CurvatureScale=0.1, DepthScale=0.2)}),
 
     # Writers.

@@ -5,11 +5,9 @@ lengths, widths and bends, and with landmarks, which are where rays from the ske
 animals without further limbs (extra = 0) are in the same order.
 """
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import paper_models
+from . import level_sets
 
 X, Y, Z = np.eye(3)
 
@@ -51,17 +49,8 @@ class Body:
         spacing = (upper - lower).max() / size
         counts = np.ceil((upper - lower) / spacing).astype(int) + 1
         z, y, x = np.meshgrid(*(lower[k] + spacing * np.arange(counts[k]) for k in (2, 1, 0)), indexing="ij")
-        image, contour = vtkImageData(), vtkFlyingEdges3D()
-        image.SetDimensions(*counts)
-        image.SetSpacing(spacing, spacing, spacing)
-        image.SetOrigin(*lower)
         values = self.height(np.stack([x.ravel(), y.ravel(), z.ravel()], axis=1))
-        image.GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
-        contour.SetInputData(image)
-        contour.SetValue(0, 0.0)
-        contour.ComputeNormalsOff()
-        contour.ComputeScalarsOff()
-        return paper_models.run(contour)
+        return level_sets.zero_level(values, counts, lower, spacing)
 
     def landmarks(self, mesh):
         points = vtk_to_numpy(mesh.GetPoints().GetData())

@@ -6,11 +6,9 @@ what a scanner hands over: points without triangles. One piece, no holes, no han
 +y is up and the bear looks along +z. The same arguments give the same points.
 """
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from . import clouds
+from . import clouds, level_sets
 
 LOW, HIGH = np.array([-0.9, -1.0, -0.75]), np.array([0.9, 1.25, 0.8])  # a box around the bear
 SPACING = 0.03
@@ -92,19 +90,7 @@ def zero_set(distance):
     x, y, z = (low + SPACING * np.arange(n) for low, n in zip(LOW, size))
     grid_z, grid_y, grid_x = np.meshgrid(z, y, x, indexing="ij")
     grid = np.column_stack([grid_x.ravel(), grid_y.ravel(), grid_z.ravel()])
-    image = vtkImageData()
-    image.SetDimensions(*size)
-    image.SetOrigin(*LOW)
-    image.SetSpacing(SPACING, SPACING, SPACING)
-    values = numpy_to_vtk(distance(grid), deep=True)
-    image.GetPointData().SetScalars(values)
-    contour = vtkFlyingEdges3D()
-    contour.SetInputData(image)
-    contour.SetValue(0, 0.0)
-    contour.ComputeNormalsOff()
-    contour.ComputeScalarsOff()
-    contour.Update()
-    return contour.GetOutput()
+    return level_sets.zero_level(distance(grid), size, LOW, SPACING)
 
 
 def even_samples(mesh, count, random):

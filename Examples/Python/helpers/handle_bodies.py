@@ -1,9 +1,8 @@
 """Bodies with handles, made by code: implicit functions, their surfaces, and clouds of points on these surfaces."""
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from . import clouds, level_sets
 
 EXTENT = 1.5  # the bodies are in the cube [-EXTENT, EXTENT]^3
 
@@ -82,18 +81,7 @@ def surface_of(body, size=160):
     """Return the surface of a body, extracted from a grid of size^3 nodes."""
     axis = np.linspace(-EXTENT, EXTENT, size)
     z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
-    image = vtkImageData()
-    image.SetDimensions(size, size, size)
-    image.SetOrigin(-EXTENT, -EXTENT, -EXTENT)
-    image.SetSpacing(*[2.0 * EXTENT / (size - 1)] * 3)
-    image.GetPointData().SetScalars(numpy_to_vtk(body(x, y, z).ravel(), deep=1))
-    contour = vtkFlyingEdges3D()
-    contour.SetInputData(image)
-    contour.SetValue(0, 0.0)
-    contour.ComputeNormalsOff()
-    contour.ComputeScalarsOff()
-    contour.Update()
-    return contour.GetOutput()
+    return level_sets.zero_level(body(x, y, z).ravel(), [size] * 3, [-EXTENT] * 3, 2.0 * EXTENT / (size - 1))
 
 
 def arrays_of(surface):
@@ -113,10 +101,7 @@ def cloud_of(surface, count, noise=0.0, seed=1):
     u, v = np.where(u + v > 1.0, 1.0 - u, u), np.where(u + v > 1.0, 1.0 - v, v)
     samples = a[chosen] + u * (b - a)[chosen] + v * (c - a)[chosen]
     samples += random.normal(0.0, noise, samples.shape) if noise else 0.0
-    cloud = vtkPolyData()
-    cloud.SetPoints(vtkPoints())
-    cloud.GetPoints().SetData(numpy_to_vtk(samples, deep=1))
-    return cloud
+    return clouds.cloud_of(samples)
 
 
 def euler_number(surface):

@@ -151,7 +151,7 @@ void ExactDistances::startWindows(int vertex)
   for (const int* t = this->Around.begin(vertex); t != this->Around.end(vertex); ++t)
   {
     const auto ids = this->Surface.Triangles.row(*t);
-    const int corner = ids[0] == vertex ? 0 : ids[1] == vertex ? 1 : 2;
+    const int corner = cornerOf(this->Surface.Triangles, *t, vertex);
     const Plane& plane = this->Planes[3 * *t + corner];
     const int start = ids[next(corner)], end = ids[previous(corner)];
     this->reach(start, distance + plane.Apex.norm(), along);
@@ -257,8 +257,7 @@ bool ExactDistances::isUseful(const Window& window, double length, int start, in
 // Store a window of the edge that starts at a vertex.
 void ExactDistances::add(Window window, int start)
 {
-  const auto ids = this->Surface.Triangles.row(window.Triangle);
-  window.Corner = ids[0] == start ? 2 : ids[1] == start ? 0 : 1;
+  window.Corner = previous(cornerOf(this->Surface.Triangles, window.Triangle, start));
   const double nearest = std::clamp(window.Place.x(), window.Begin, window.End);
   const double distance = window.Before + (Vector2(nearest, 0.0) - window.Place).norm();
   int place = static_cast<int>(this->Windows.size());
@@ -351,7 +350,7 @@ void ExactDistances::followStraight(int vertex, std::vector<PathPoint>& path) co
     const double fraction = whole != 0.0 ? cross(from - rightPlace, direction) / whole : 0.5;
     path.push_back({ right, left, std::clamp(fraction, 0.0, 1.0) });
     const auto ids = triangles.row(triangle);
-    const int corner = ids[0] == left ? 2 : ids[1] == left ? 0 : 1; // the edge starts at `left`
+    const int corner = previous(cornerOf(triangles, triangle, left)); // the edge starts at `left`
     const Plane& plane = this->Planes[3 * triangle + corner];
     const Vector2 along = plane.Length > 0.0 ? Vector2(-edge / plane.Length) : Vector2(1.0, 0.0);
     const Vector2 apex =

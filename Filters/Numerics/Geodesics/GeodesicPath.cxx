@@ -180,12 +180,6 @@ std::vector<PathPoint> PathStraightener::straighten(const std::vector<int>& vert
   return result;
 }
 
-int PathStraightener::cornerOf(int triangle, int vertex) const
-{
-  const auto ids = this->Surface.Triangles.row(triangle);
-  return ids[0] == vertex ? 0 : ids[1] == vertex ? 1 : ids[2] == vertex ? 2 : -1;
-}
-
 // List the triangles around a vertex counter-clockwise, between its edges to two neighbors. The
 // list is empty if there is a border between them.
 std::vector<int> PathStraightener::fan(int center, int from, int to) const
@@ -193,7 +187,7 @@ std::vector<int> PathStraightener::fan(int center, int from, int to) const
   const Triangles& triangles = this->Surface.Triangles;
   for (const int* t = this->Around.begin(center); t != this->Around.end(center); ++t)
   {
-    if (triangles(*t, next(this->cornerOf(*t, center))) != from)
+    if (triangles(*t, next(cornerOf(this->Surface.Triangles, *t, center))) != from)
     {
       continue;
     }
@@ -201,7 +195,7 @@ std::vector<int> PathStraightener::fan(int center, int from, int to) const
     const auto count = static_cast<std::size_t>(this->Around.size(center));
     for (int triangle = *t; triangle >= 0 && result.size() < count;)
     {
-      const int corner = this->cornerOf(triangle, center);
+      const int corner = cornerOf(this->Surface.Triangles, triangle, center);
       result.push_back(triangle);
       if (triangles(triangle, previous(corner)) == to)
       {
@@ -218,7 +212,7 @@ double PathStraightener::angleOf(const std::vector<int>& fan, int center) const
   double angle = 0.0;
   for (const int triangle : fan)
   {
-    angle += this->Angles(triangle, this->cornerOf(triangle, center));
+    angle += this->Angles(triangle, cornerOf(this->Surface.Triangles, triangle, center));
   }
   return angle;
 }
@@ -280,7 +274,7 @@ PathStraightener::Unfolded PathStraightener::unfold(
     const auto ids = this->Surface.Triangles.row(sleeve[i]);
     const std::array<Vector2, 3>& here = result.Corners.back();
     const Portal portal = { ids[next(side)], ids[side], here[next(side)], here[side] };
-    const int corner = this->cornerOf(sleeve[i + 1], portal.Left);
+    const int corner = cornerOf(this->Surface.Triangles, sleeve[i + 1], portal.Left);
     const int opposite = this->Surface.Triangles(sleeve[i + 1], previous(corner));
     std::array<Vector2, 3> there;
     there[corner] = portal.LeftPlace;
@@ -290,8 +284,8 @@ PathStraightener::Unfolded PathStraightener::unfold(
     result.Portals.push_back(portal);
     result.Corners.push_back(there);
   }
-  result.Start = result.Corners.front()[this->cornerOf(sleeve.front(), start)];
-  result.End = result.Corners.back()[this->cornerOf(sleeve.back(), end)];
+  result.Start = result.Corners.front()[cornerOf(this->Surface.Triangles, sleeve.front(), start)];
+  result.End = result.Corners.back()[cornerOf(this->Surface.Triangles, sleeve.back(), end)];
   return result;
 }
 
@@ -374,8 +368,8 @@ bool PathStraightener::bypass(
   {
     const Touched& at = touched[i];
     const int first = sleeve[at.First], final = sleeve[at.Last + 1];
-    const int cornerOfFirst = this->cornerOf(first, at.Vertex),
-              cornerOfFinal = this->cornerOf(final, at.Vertex);
+    const int cornerOfFirst = cornerOf(this->Surface.Triangles, first, at.Vertex),
+              cornerOfFinal = cornerOf(this->Surface.Triangles, final, at.Vertex);
     // Sides of the sleeve's triangles that point to the other side of the vertex: clockwise if the
     // vertex is on the left.
     const auto side = [&](int corner, bool clockwise)
@@ -393,7 +387,7 @@ bool PathStraightener::bypass(
       triangle = this->Neighbors(triangle, at.IsLeft ? corner : previous(corner));
       if (triangle >= 0 && triangle != final)
       {
-        corner = this->cornerOf(triangle, at.Vertex);
+        corner = cornerOf(this->Surface.Triangles, triangle, at.Vertex);
         angle += this->Angles(triangle, corner);
         other.push_back(triangle);
       }

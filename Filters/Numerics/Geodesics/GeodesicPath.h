@@ -65,7 +65,6 @@ private:
   struct Unfolded;
   struct Touched;
 
-  int cornerOf(int triangle, int vertex) const;
   std::vector<int> fan(int center, int from, int to) const;
   double angleOf(const std::vector<int>& fan, int center) const;
   std::vector<int> sleeveOf(const std::vector<int>& vertices) const;

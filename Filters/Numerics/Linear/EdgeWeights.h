@@ -43,6 +43,30 @@ EdgeWeights equalWeights(const Triangles& triangles, Index numberOfVertices);
 EdgeWeights cotangentWeights(
   const Triangles& triangles, Index numberOfVertices, const Points& cotangents);
 
+/// Compute the right-hand sides of a Poisson equation with cotangent weights, for vectors that are
+/// missing along the edges of triangles: the sum over all edges at a vertex of the edge's share of
+/// the weight times the missing vector. The sum of all rows is 0.
+/// @param[in] cotangents  #F by 3 cotangents of the angles at the corners
+/// @param[in] missing     missing(r, k) is the vector for the edge opposite corner k of triangle r,
+///   from corner next(k) to corner previous(k)
+/// @return #V by 3
+template <typename Missing>
+Points edgeForces(const Triangles& triangles, Index numberOfVertices, const Points& cotangents,
+  const Missing& missing)
+{
+  Points forces = Points::Zero(numberOfVertices, 3);
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 force = 0.5 * cotangents(r, k) * missing(r, k);
+      forces.row(triangles(r, previous(k))) += force;
+      forces.row(triangles(r, next(k))) -= force;
+    }
+  }
+  return forces;
+}
+
 /// Cotangent weights of a surface, called string constants in \cite GuYau2002. The numbers of edges
 /// with negative and with infinite weight are also computed. Negative weights can cause folds of a
 /// harmonic map. Infinite weights come from triangles of zero area, which are ignored.

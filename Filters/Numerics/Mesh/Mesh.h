@@ -53,6 +53,13 @@ inline Vector3 areaVector(const Points& positions, const Triangles& triangles, I
   return 0.5 * (b - a).cross(c - a);
 }
 
+/// Return which corner of a triangle a vertex is: 0, 1 or 2, or -1 if it is none.
+inline int cornerOf(const Triangles& triangles, Index triangle, int vertex)
+{
+  const auto ids = triangles.row(triangle);
+  return ids[0] == vertex ? 0 : ids[1] == vertex ? 1 : ids[2] == vertex ? 2 : -1;
+}
+
 /// Closed mesh and its map to the unit sphere.
 struct MappedMesh : Mesh
 {

@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/MeshTopology.h"
 #include "Sphere/MoebiusTransform.h"
 #include "Sphere/SphereCoverage.h"
@@ -44,24 +45,7 @@ bool turnOnSphere(MappedMesh& mesh, const std::string& name, const Run& run)
   }
   mesh.Triangles = turnedToCoverOnce(
     mesh.SpherePositions, mesh.Triangles, "the map to the sphere of the " + name, run.unwatched());
-  double volume = 0.0;
-  const Vector3 origin = mesh.Positions.row(mesh.Triangles(0, 0));
-  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
-  {
-    volume += areaVector(mesh.Positions, mesh.Triangles, r)
-                .dot(mesh.Positions.row(mesh.Triangles(r, 0)).transpose() - origin);
-  }
-  return volume < 0.0;
-}
-
-double areaOf(const Mesh& mesh)
-{
-  double area = 0.0;
-  for (Index r = 0; r < mesh.Triangles.rows(); ++r)
-  {
-    area += areaVector(mesh.Positions, mesh.Triangles, r).norm();
-  }
-  return area;
+  return signedVolume(mesh.Positions, mesh.Triangles) < 0.0;
 }
 
 /// Interpolate source positions at all target vertices.
@@ -152,18 +136,21 @@ DeformationTransfer::DeformationTransfer(const MappedMesh& source, const MappedM
   }
   this->SourceRest = from.Positions;
   this->Target = to;
-  const double areas[] = { areaOf(from), areaOf(to) };
+  const double areas[] = { surfaceArea(from.Positions, from.Triangles),
+    surfaceArea(to.Positions, to.Triangles) };
   if (!(areas[1] > 0.0))
   {
     throw std::invalid_argument("all triangles of the target have zero area");
   }
   this->Gradients = DeformationGradients(from, steps.next());
   this->Scale = std::sqrt(areas[1] / areas[0]);
+  this->Area = areas[1];
+  this->VertexAreas = vertexAreas(to.Positions, to.Triangles);
   this->Correspondence = correspondingTriangles(from, to, options.Correspondence, steps.next());
   steps.next();
   if (options.AlignRotation)
   {
-    const Eigen::VectorXd weights = vertexAreas(to.Positions, to.Triangles);
+    const Eigen::VectorXd& weights = this->VertexAreas;
     const Points pairs = atVertices(this->Correspondence.VertexWeights, from.Positions);
     const auto centered = [&](const Points& points)
     {
@@ -279,7 +266,6 @@ std::vector<Eigen::Matrix3d> DeformationTransfer::wantedGradients(
 // Move each part without contacts so that its mean correction is 0.
 void DeformationTransfer::center(Columns& corrections) const
 {
-  const Eigen::VectorXd areas = vertexAreas(this->Target.Positions, this->Target.Triangles);
   std::vector<Vector3> sums(this->NumberOfFreeParts, Vector3::Zero());
   std::vector<double> totals(this->NumberOfFreeParts, 0.0);
   for (std::size_t i = 0; i < this->Unknowns.size(); ++i)
@@ -287,8 +273,8 @@ void DeformationTransfer::center(Columns& corrections) const
     const int v = this->Unknowns[i], part = this->FreeParts[v];
     if (part >= 0)
     {
-      sums[part] += areas[v] * corrections.row(static_cast<Index>(i)).transpose();
-      totals[part] += areas[v];
+      sums[part] += this->VertexAreas[v] * corrections.row(static_cast<Index>(i)).transpose();
+      totals[part] += this->VertexAreas[v];
     }
   }
   for (std::size_t i = 0; i < this->Unknowns.size(); ++i)
@@ -326,16 +312,8 @@ TransferredShape DeformationTransfer::transfer(const Points& pose, const Run& ru
     const Vector3 edge = this->Target.Positions.row(b) - this->Target.Positions.row(a);
     return Vector3(wanted[r] * edge - Vector3(result.Positions.row(b) - result.Positions.row(a)));
   };
-  Points forces = Points::Zero(this->Target.Positions.rows(), 3);
-  for (Index r = 0; r < triangles.rows(); ++r)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3 force = 0.5 * this->Cotangents(r, k) * missing(r, k);
-      forces.row(triangles(r, previous(k))) += force;
-      forces.row(triangles(r, next(k))) -= force;
-    }
-  }
+  const Points forces =
+    edgeForces(triangles, this->Target.Positions.rows(), this->Cotangents, missing);
   Columns corrections(static_cast<Index>(this->Unknowns.size()), 3);
   for (std::size_t i = 0; i < this->Unknowns.size(); ++i)
   {
@@ -358,7 +336,7 @@ TransferredShape DeformationTransfer::transfer(const Points& pose, const Run& ru
       energy += 0.5 * this->Cotangents(r, k) * missing(r, k).squaredNorm();
     }
   }
-  result.Residual = std::sqrt(std::max(energy, 0.0) / areaOf(this->Target));
+  result.Residual = std::sqrt(std::max(energy, 0.0) / this->Area);
   run.report(1.0);
   return result;
 }

@@ -97,6 +97,8 @@ private:
   SurfaceCorrespondence Correspondence;
   Eigen::Matrix3d Rotation = Eigen::Matrix3d::Identity(); // R
   double Scale = 1.0;                                     // s
+  double Area = 0.0;                                      // of the target
+  Eigen::VectorXd VertexAreas;                            // of the target
   Points Cotangents;                                      // of the target
   std::vector<int> Unknowns;  // vertices of the target that are unknowns of the Poisson equation
   std::vector<int> FreeParts; // for each vertex, number of its part without contacts, or -1

@@ -3,6 +3,7 @@
 #include "Base/Steps.h"
 #include "Linear/EdgeWeights.h"
 #include "Linear/MultifrontalCholesky.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/MeshTopology.h"
 #include "Register/TriangleRotations.h"
 #include "Sphere/MoebiusTransform.h"
@@ -176,21 +177,12 @@ Points alignedBlend(const Active& active)
 /// Where the shapes are stretched in different directions, the mean triangle is too large.
 double sizeFactor(const Points& shape, const Active& active, const Triangles& triangles)
 {
-  const auto areaOf = [&](const Points& points)
-  {
-    double sum = 0.0;
-    for (Index r = 0; r < triangles.rows(); ++r)
-    {
-      sum += areaVector(points, triangles, r).norm();
-    }
-    return sum;
-  };
   double wanted = 0.0;
   for (std::size_t s = 0; s < active.Shapes.size(); ++s)
   {
-    wanted += active.Weights[s] * areaOf(*active.Shapes[s]);
+    wanted += active.Weights[s] * surfaceArea(*active.Shapes[s], triangles);
   }
-  const double area = areaOf(shape);
+  const double area = surfaceArea(shape, triangles);
   return area > 0.0 && wanted > 0.0 ? std::sqrt(wanted / area) : 1.0;
 }
 
@@ -208,19 +200,13 @@ Points rigidBlend(const Active& active, const Mesh& sphere, const Run& run)
   steps.next();
   const Points cotangents = cotangentsOf(wanted);
   const EdgeWeights weights = cotangentWeights(triangles, sphere.Positions.rows(), cotangents);
-  Columns correction = Columns::Zero(sphere.Positions.rows(), 3);
-  for (Index r = 0; r < triangles.rows(); ++r)
-  {
-    for (int k = 0; k < 3; ++k)
+  Columns correction = edgeForces(triangles, sphere.Positions.rows(), cotangents,
+    [&](Index r, int k)
     {
       const int a = triangles(r, next(k)), b = triangles(r, previous(k));
-      const Vector3 missing =
-        wanted[r].col(previous(k)) - wanted[r].col(next(k)) - Vector3(shape.row(b) - shape.row(a));
-      const Vector3 force = 0.5 * cotangents(r, k) * missing;
-      correction.row(b) += force;
-      correction.row(a) -= force;
-    }
-  }
+      return Vector3(
+        wanted[r].col(previous(k)) - wanted[r].col(next(k)) - Vector3(shape.row(b) - shape.row(a)));
+    });
   std::vector<double> diagonal(sphere.Positions.rows());
   for (Index v = 0; v < sphere.Positions.rows(); ++v)
   {

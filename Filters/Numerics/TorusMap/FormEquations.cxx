@@ -41,23 +41,18 @@ Points placesByEdges(const Adjacency& neighbors, Index size)
   return places;
 }
 
+// Weights of edges. Each side of a triangle has half of the cotangent of its opposite corner.
 EdgeWeights edgeWeights(const FormEquations& equations, Index size)
 {
-  EdgeWeights result;
-  result.Neighbors = vertexNeighbors(equations.Triangles, size);
-  result.Weights.assign(result.Neighbors.Ids.size(), 0.0);
-  const auto add = [&](int a, int b, double weight)
+  Points cotangents(equations.Triangles.rows(), 3);
+  for (Index t = 0; t < cotangents.rows(); ++t)
   {
-    const int* found = std::lower_bound(result.Neighbors.begin(a), result.Neighbors.end(a), b);
-    result.Weights[found - result.Neighbors.Ids.data()] += weight;
-  };
-  for (int side = 0; side < static_cast<int>(equations.Weights.size()); ++side)
-  {
-    const int a = equations.from(side), b = equations.to(side);
-    add(a, b, equations.Weights[side]);
-    add(b, a, equations.Weights[side]);
+    for (int k = 0; k < 3; ++k)
+    {
+      cotangents(t, previous(k)) = 2.0 * equations.Weights[3 * t + k];
+    }
   }
-  return result;
+  return cotangentWeights(equations.Triangles, size, cotangents);
 }
 }
 

@@ -12,6 +12,12 @@ namespace
 {
 using Corners = Eigen::Matrix<double, 3, 2>;
 
+// Return the position of a vertex in [0, 1)^2.
+Eigen::RowVector2d inUnitSquare(const TorusPositions& positions, Index vertex)
+{
+  return positions.row(vertex).array() - positions.row(vertex).array().floor();
+}
+
 // Return the corners of a triangle in the plane, with its center in [0, 1)^2. The position of the
 // torus that is next to the first corner is taken for the others.
 Corners cornersOf(const TorusPositions& positions, const Triangles& triangles, Index triangle)
@@ -19,8 +25,7 @@ Corners cornersOf(const TorusPositions& positions, const Triangles& triangles, I
   Corners corners;
   for (int k = 0; k < 3; ++k)
   {
-    corners.row(k) = positions.row(triangles(triangle, k)).array() -
-      positions.row(triangles(triangle, k)).array().floor();
+    corners.row(k) = inUnitSquare(positions, triangles(triangle, k));
     corners.row(k) -= (corners.row(k) - corners.row(0)).array().round().matrix();
   }
   const Eigen::RowVector2d whole = (corners.colwise().sum() / 3.0).array().floor();
@@ -48,7 +53,7 @@ TorusTexture makeTorusTexture(const TorusPositions& positions, const Triangles& 
   for (Index v = 0; v < positions.rows(); ++v)
   {
     result.VertexIds[v] = static_cast<int>(v);
-    coordinates[v] = positions.row(v).array() - positions.row(v).array().floor();
+    coordinates[v] = inUnitSquare(positions, v);
   }
   std::map<std::tuple<int, int, int>, int> copies; // by vertex and whole numbers of periods
   std::vector<std::array<int, 2>> turns(positions.rows());
@@ -67,7 +72,7 @@ TorusTexture makeTorusTexture(const TorusPositions& positions, const Triangles& 
     for (int k = 0; k < 3; ++k)
     {
       const int v = triangles(t, k);
-      const Eigen::RowVector2d base = positions.row(v).array() - positions.row(v).array().floor();
+      const Eigen::RowVector2d base = inUnitSquare(positions, v);
       const std::array<int, 2> turn = { static_cast<int>(std::lround(corners(k, 0) - base[0])),
         static_cast<int>(std::lround(corners(k, 1) - base[1])) };
       if (!isUsed[v])

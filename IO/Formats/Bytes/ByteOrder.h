@@ -21,6 +21,23 @@ inline bool isLittleEndianMachine()
   return first == 1;
 }
 
+/// Read a number from little-endian bytes.
+/// @tparam Byte  char or unsigned char
+template <typename T, typename Byte>
+T littleEndianAt(const Byte* bytes)
+{
+  static_assert(sizeof(Byte) == 1, "bytes have the size 1");
+  Byte copy[sizeof(T)];
+  std::memcpy(copy, bytes, sizeof(T));
+  if (!isLittleEndianMachine())
+  {
+    std::reverse(copy, copy + sizeof(T));
+  }
+  T value;
+  std::memcpy(&value, copy, sizeof(T));
+  return value;
+}
+
 /// Append the `size` bytes of a number, which is in the byte order of this machine.
 /// @param[in] isBig  whether the appended bytes are big-endian; otherwise they are little-endian
 inline void appendBytes(std::string& bytes, const void* value, std::size_t size, bool isBig)

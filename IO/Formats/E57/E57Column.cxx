@@ -12,27 +12,13 @@ namespace
 {
 constexpr std::size_t WordBytes = 8;
 
-template <typename T>
-T littleEndianValue(const char* bytes)
-{
-  char copy[sizeof(T)];
-  std::memcpy(copy, bytes, sizeof(T));
-  if (!isLittleEndianMachine())
-  {
-    std::reverse(copy, copy + sizeof(T));
-  }
-  T value;
-  std::memcpy(&value, copy, sizeof(T));
-  return value;
-}
-
 // Return the bits of a stream from the given bit on, as many as the mask has. The stream must
 // contain 9 bytes from there on.
 std::uint64_t bitsAt(const char* bytes, std::uint64_t bit, std::uint64_t mask)
 {
   const char* first = bytes + bit / 8;
   const unsigned shift = bit % 8;
-  std::uint64_t word = littleEndianValue<std::uint64_t>(first) >> shift;
+  std::uint64_t word = littleEndianAt<std::uint64_t>(first) >> shift;
   if (shift > 0)
   {
     word |= std::uint64_t(static_cast<unsigned char>(first[WordBytes])) << (64 - shift);
@@ -89,11 +75,11 @@ void E57Column::add(std::string_view bytes)
     }
     else if (this->Field.Kind == E57Kind::Float32)
     {
-      this->store(count, [data](std::size_t i) { return littleEndianValue<float>(data + 4 * i); });
+      this->store(count, [data](std::size_t i) { return littleEndianAt<float>(data + 4 * i); });
     }
     else
     {
-      this->store(count, [data](std::size_t i) { return littleEndianValue<double>(data + 8 * i); });
+      this->store(count, [data](std::size_t i) { return littleEndianAt<double>(data + 8 * i); });
     }
     const std::size_t decoded = this->FirstBit + count * this->Bits;
     this->FirstBit = decoded % 8;

@@ -2,14 +2,10 @@
 
 #include "Bytes/NumberText.h"
 #include "Bytes/ParseLimits.h"
-
-#include <expat.h>
+#include "Text/XMLParser.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <memory>
-#include <new>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -258,42 +254,14 @@ private:
   std::set<std::string> Names; ///< of the fields of the last scan
 };
 
-// Call expat with pieces of the XML. Expat is C code. If a handler throws an exception, the
-// exception is therefore stored until expat returns.
-class DescriptionReader
+// Parse the XML in pieces.
+class DescriptionReader : private XMLHandler
 {
 public:
   explicit DescriptionReader(E57Pages& pages)
     : Pages(pages)
-    , Parser(XML_ParserCreate(nullptr), XML_ParserFree)
+    , Parser(*this)
   {
-    if (!this->Parser)
-    {
-      throw std::bad_alloc();
-    }
-    XML_Parser parser = this->Parser.get();
-    XML_SetUserData(parser, this);
-    XML_SetElementHandler(
-      parser,
-      [](void* self, const char* name, const char** attributes)
-      { of(self).guard([&](DescriptionHandler& handler) { handler.start(name, attributes); }); },
-      [](void* self, const char*)
-      { of(self).guard([](DescriptionHandler& handler) { handler.end(); }); });
-    XML_SetCharacterDataHandler(parser,
-      [](void* self, const char* text, int size)
-      {
-        of(self).guard(
-          [&](DescriptionHandler& handler) {
-            handler.text({ text, static_cast<std::size_t>(size) });
-          });
-      });
-    XML_SetEntityDeclHandler(parser,
-      [](void* self, const char*, int, const char*, int, const char*, const char*, const char*,
-        const char*)
-      {
-        of(self).guard([](DescriptionHandler&)
-          { requireOfXML(false, "found an entity that the XML defines, which is not read"); });
-      });
   }
 
   std::vector<E57Scan> read()
@@ -307,7 +275,7 @@ public:
       this->Pages.read(piece.data(), bytes);
       left -= bytes;
       this->BytesSinceTag += bytes;
-      this->parse(piece.data(), bytes, left == 0);
+      this->parse({ piece.data(), bytes }, left == 0);
     }
     if (this->Pages.xmlBytes() == 0)
     {
@@ -324,28 +292,43 @@ public:
   }
 
 private:
-  static DescriptionReader& of(void* self) { return *static_cast<DescriptionReader*>(self); }
-
-  void parse(const char* text, std::size_t bytes, bool isLast)
+  void start(const char* name, const char** attributes) override
   {
-    const XML_Status status =
-      XML_Parse(this->Parser.get(), text, static_cast<int>(bytes), isLast ? 1 : 0);
-    if (this->Error)
+    this->BytesSinceTag = 0;
+    this->Handler.start(name, attributes);
+  }
+
+  void end(const char*) override
+  {
+    this->BytesSinceTag = 0;
+    this->Handler.end();
+  }
+
+  void text(std::string_view part) override
+  {
+    this->BytesSinceTag = 0;
+    this->Handler.text(part);
+  }
+
+  void entity() override
+  {
+    requireOfXML(false, "found an entity that the XML defines, which is not read");
+  }
+
+  void parse(std::string_view piece, bool isLast)
+  {
+    bool isValid = false;
+    try
     {
-      try
-      {
-        std::rethrow_exception(this->Error);
-      }
-      catch (const std::invalid_argument& e)
-      {
-        this->Pages.fail(ParseCode::Malformed, e.what());
-      }
+      isValid = this->Parser.parse(piece, isLast);
     }
-    if (status != XML_STATUS_OK)
+    catch (const std::invalid_argument& e)
     {
-      this->Pages.fail(ParseCode::Malformed,
-        std::string("the XML is not valid: ") +
-          XML_ErrorString(XML_GetErrorCode(this->Parser.get())));
+      this->Pages.fail(ParseCode::Malformed, e.what());
+    }
+    if (!isValid)
+    {
+      this->Pages.fail(ParseCode::Malformed, this->Parser.message());
     }
     if (this->BytesSinceTag > LongestLine)
     {
@@ -353,29 +336,9 @@ private:
     }
   }
 
-  template <typename Handle>
-  void guard(Handle handle) noexcept
-  {
-    if (this->Error)
-    {
-      return;
-    }
-    this->BytesSinceTag = 0;
-    try
-    {
-      handle(this->Handler);
-    }
-    catch (...)
-    {
-      this->Error = std::current_exception();
-      XML_StopParser(this->Parser.get(), XML_FALSE);
-    }
-  }
-
   E57Pages& Pages;
   DescriptionHandler Handler;
-  std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> Parser;
-  std::exception_ptr Error;
+  XMLParser Parser;
   std::size_t BytesSinceTag = 0;
 };
 }

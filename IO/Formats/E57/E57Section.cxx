@@ -13,20 +13,6 @@ namespace
 {
 constexpr std::size_t PacketHeaderBytes = 4;
 constexpr std::size_t DataHeaderBytes = 6;
-
-template <typename T>
-T numberAt(const char* bytes)
-{
-  char copy[sizeof(T)];
-  std::memcpy(copy, bytes, sizeof(T));
-  if (!isLittleEndianMachine())
-  {
-    std::reverse(copy, copy + sizeof(T));
-  }
-  T value;
-  std::memcpy(&value, copy, sizeof(T));
-  return value;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -60,7 +46,7 @@ void E57Sections::open(const E57Scan& scan)
   {
     this->Pages.fail(ParseCode::Malformed, "expected a section of points");
   }
-  this->Left = numberAt<std::uint64_t>(header + 8);
+  this->Left = littleEndianAt<std::uint64_t>(header + 8);
   // Scans that share a section would let a small file take much time.
   this->TotalBytes += std::min(this->Left, this->FileBytes + 1);
   if (this->TotalBytes > this->FileBytes)
@@ -69,7 +55,7 @@ void E57Sections::open(const E57Scan& scan)
       ParseCode::Malformed, "found sections of points that overlap or are longer than the file");
   }
   this->Left -= std::min<std::uint64_t>(this->Left, sizeof(header));
-  this->Pages.seek(numberAt<std::uint64_t>(header + 16));
+  this->Pages.seek(littleEndianAt<std::uint64_t>(header + 16));
 }
 
 //------------------------------------------------------------------------------
@@ -79,7 +65,7 @@ void E57Sections::readPacket(std::vector<E57Column>& columns)
   constexpr char ignoredPacket = 2; // 0 is a packet of the index, which is not needed
   this->checkLeft(PacketHeaderBytes);
   this->Pages.read(this->Packet.data(), PacketHeaderBytes);
-  const std::size_t bytes = std::size_t(numberAt<std::uint16_t>(this->Packet.data() + 2)) + 1;
+  const std::size_t bytes = std::size_t(littleEndianAt<std::uint16_t>(this->Packet.data() + 2)) + 1;
   const char type = this->Packet[0];
   if (bytes % 4 != 0 || type < 0 || type > ignoredPacket)
   {
@@ -111,7 +97,7 @@ void E57Sections::readData(std::vector<E57Column>& columns, std::size_t bytes)
 {
   const char* const packet = this->Packet.data();
   const std::size_t fields =
-    bytes >= DataHeaderBytes ? numberAt<std::uint16_t>(packet + PacketHeaderBytes) : 0;
+    bytes >= DataHeaderBytes ? littleEndianAt<std::uint16_t>(packet + PacketHeaderBytes) : 0;
   std::size_t at = DataHeaderBytes + 2 * fields;
   if (fields != columns.size() || at > bytes)
   {
@@ -121,7 +107,7 @@ void E57Sections::readData(std::vector<E57Column>& columns, std::size_t bytes)
   }
   for (std::size_t i = 0; i < fields; ++i)
   {
-    const std::size_t length = numberAt<std::uint16_t>(packet + DataHeaderBytes + 2 * i);
+    const std::size_t length = littleEndianAt<std::uint16_t>(packet + DataHeaderBytes + 2 * i);
     if (length > bytes - at)
     {
       this->Pages.fail(ParseCode::Malformed, "found a field that is longer than its packet");

@@ -5,8 +5,7 @@
 #include "Bytes/ParseLimits.h"
 #include "Bytes/ProgressReport.h"
 #include "GIFTI/BinaryText.h"
-
-#include <expat.h>
+#include "Text/XMLParser.h"
 
 #include <algorithm>
 #include <array>
@@ -17,28 +16,6 @@ namespace conformal
 {
 namespace
 {
-// Return the position of the parser in the file. Expat 2.9 replaces these functions and deprecates
-// them.
-#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
-std::int64_t byteIndex(XML_Parser parser)
-{
-  return XML_GetCurrentByteIndex64(parser);
-}
-std::uint64_t lineNumber(XML_Parser parser)
-{
-  return XML_GetCurrentLineNumber64(parser);
-}
-#else
-std::int64_t byteIndex(XML_Parser parser)
-{
-  return XML_GetCurrentByteIndex(parser);
-}
-std::uint64_t lineNumber(XML_Parser parser)
-{
-  return XML_GetCurrentLineNumber(parser);
-}
-#endif
-
 constexpr std::size_t MaximumArrays = 10000; // more than any real file has
 
 void require(bool condition, const std::string& message)
@@ -406,44 +383,16 @@ private:
   bool HasData = false;
 };
 
-// Call expat with the pieces of the file. Expat is C code. If a handler throws an exception, the
-// exception is therefore stored until expat returns.
-class GIFTIReader
+// Parse the pieces of the file. Errors of the handler get the position in the file.
+class GIFTIReader : private XMLHandler
 {
 public:
   GIFTIReader(ByteReader& input, const ParseLimits& limits, const Run& run)
     : Input(input)
     , Progress(input, run)
     , Handler(input.size(), limits)
-    , Parser(XML_ParserCreate(nullptr), XML_ParserFree)
+    , Parser(*this)
   {
-    if (!this->Parser)
-    {
-      throw std::bad_alloc();
-    }
-    XML_Parser parser = this->Parser.get();
-    XML_SetUserData(parser, this);
-    XML_SetElementHandler(
-      parser,
-      [](void* self, const char* name, const char** attributes)
-      { of(self).guard([&](GIFTIHandler& handler) { handler.start(name, attributes); }); },
-      [](void* self, const char* name)
-      { of(self).guard([&](GIFTIHandler& handler) { handler.end(name); }); });
-    XML_SetCharacterDataHandler(parser,
-      [](void* self, const char* text, int size)
-      {
-        of(self).guard(
-          [&](GIFTIHandler& handler) {
-            handler.text({ text, static_cast<std::size_t>(size) });
-          });
-      });
-    XML_SetEntityDeclHandler(parser,
-      [](void* self, const char*, int, const char*, int, const char*, const char*, const char*,
-        const char*)
-      {
-        of(self).guard([](GIFTIHandler&)
-          { require(false, "found an entity that the file defines; such entities are not read"); });
-      });
   }
 
   std::vector<GIFTIArray> read()
@@ -460,24 +409,16 @@ public:
     {
       const std::string_view piece = this->Input.peek(1);
       isLast = piece.size() == this->Input.left();
-      const XML_Status status =
-        XML_Parse(this->Parser.get(), piece.data(), static_cast<int>(piece.size()), isLast ? 1 : 0);
+      const bool isValid = this->Parser.parse(piece, isLast);
       this->Progress.tick();
-      if (this->Error)
+      if (!isValid)
       {
-        std::rethrow_exception(this->Error);
-      }
-      if (status != XML_STATUS_OK)
-      {
-        const XML_Error code = XML_GetErrorCode(this->Parser.get());
-        const bool isEnd = code == XML_ERROR_NO_ELEMENTS || code == XML_ERROR_UNCLOSED_TOKEN ||
-          code == XML_ERROR_PARTIAL_CHAR ||
-          (isLast && this->place() >= static_cast<std::int64_t>(this->Input.size()));
-        this->fail(isEnd ? ParseCode::PrematureEnd : ParseCode::Malformed,
-          std::string("the XML is not valid: ") + XML_ErrorString(code));
+        const bool isEnd =
+          this->Parser.endsEarly() || (isLast && this->Parser.offset() >= this->Input.size());
+        this->fail(isEnd ? ParseCode::PrematureEnd : ParseCode::Malformed, this->Parser.message());
       }
       this->Input.advance(piece.size());
-      if (this->Input.offset() > LongestLine + static_cast<std::uint64_t>(this->place()))
+      if (this->Input.offset() > LongestLine + this->Parser.offset())
       {
         this->fail(ParseCode::Malformed, tooLongMessage("a tag"));
       }
@@ -486,46 +427,49 @@ public:
   }
 
 private:
-  static GIFTIReader& of(void* self) { return *static_cast<GIFTIReader*>(self); }
-
-  template <typename Handle>
-  void guard(Handle handle) noexcept
+  void start(const char* name, const char** attributes) override
   {
-    if (this->Error)
-    {
-      return;
-    }
+    this->call([&]() { this->Handler.start(name, attributes); });
+  }
+
+  void end(const char* name) override
+  {
+    this->call([&]() { this->Handler.end(name); });
+  }
+
+  void text(std::string_view part) override
+  {
+    this->call([&]() { this->Handler.text(part); });
+  }
+
+  void entity() override
+  {
+    this->call([]()
+      { require(false, "found an entity that the file defines; such entities are not read"); });
+  }
+
+  template <typename Function>
+  void call(Function function)
+  {
     try
     {
-      try
-      {
-        handle(this->Handler);
-      }
-      catch (const GIFTIError& e)
-      {
-        this->fail(ParseCode::Malformed, e.what());
-      }
+      function();
     }
-    catch (...)
+    catch (const GIFTIError& e)
     {
-      this->Error = std::current_exception();
-      XML_StopParser(this->Parser.get(), XML_FALSE);
+      this->fail(ParseCode::Malformed, e.what());
     }
   }
 
-  std::int64_t place() const { return std::max<std::int64_t>(0, byteIndex(this->Parser.get())); }
-
   [[noreturn]] void fail(ParseCode code, const std::string& message) const
   {
-    throw ParseError(
-      { code, lineNumber(this->Parser.get()), static_cast<std::uint64_t>(this->place()), message });
+    throw ParseError({ code, this->Parser.line(), this->Parser.offset(), message });
   }
 
   ByteReader& Input;
   ProgressReport Progress;
   GIFTIHandler Handler;
-  std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> Parser;
-  std::exception_ptr Error;
+  XMLParser Parser;
 };
 }
 

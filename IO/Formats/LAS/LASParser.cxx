@@ -16,20 +16,6 @@ namespace
 {
 constexpr std::size_t LASBlockBytes = std::size_t(1) << 17; // bytes of records decoded at once
 
-template <typename T>
-T littleEndianAt(const unsigned char* bytes)
-{
-  unsigned char copy[sizeof(T)];
-  std::memcpy(copy, bytes, sizeof(T));
-  if (!isLittleEndianMachine())
-  {
-    std::reverse(copy, copy + sizeof(T));
-  }
-  T value;
-  std::memcpy(&value, copy, sizeof(T));
-  return value;
-}
-
 // Array of one number of each point.
 struct LASArray
 {

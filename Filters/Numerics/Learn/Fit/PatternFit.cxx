@@ -45,10 +45,12 @@ struct Foot
 class NormalEquations
 {
 public:
-  NormalEquations(const TrainingSamples& samples, const Mesh& mesh, Index columns)
+  /// @param[in] neighbors  result of vertexNeighbors() for the mesh
+  NormalEquations(
+    const TrainingSamples& samples, const Mesh& mesh, const Adjacency& neighbors, Index columns)
     : Samples(samples)
     , Shape(mesh)
-    , Neighbors(vertexNeighbors(mesh.Triangles, mesh.Positions.rows()))
+    , Neighbors(neighbors)
     , Size(columns)
     , Products(6 * mesh.Triangles.rows())
     , Right(mesh.Positions.rows() * columns)
@@ -127,7 +129,7 @@ public:
 private:
   const TrainingSamples& Samples;
   const Mesh& Shape;
-  const Adjacency Neighbors;
+  const Adjacency& Neighbors;
   const Index Size;
   FixedPointSums Products; ///< for each triangle, sums of the products p b_k b_l
   FixedPointSums Right;    ///< for each vertex, sums of p b_k t
@@ -198,6 +200,7 @@ struct FittedValues
 {
   Columns Values;
   double Smoothness = 0.0;
+  double Unit = 1.0; ///< largest magnitude of a value of the samples
 };
 
 FittedValues fitValues(const TrainingSamples& samples, const Mesh& mesh, const Run& run)
@@ -206,7 +209,8 @@ FittedValues fitValues(const TrainingSamples& samples, const Mesh& mesh, const R
   const TriangleTree tree(mesh.Positions, mesh.Triangles, steps.next());
   const std::vector<double> ranges = rangesOf(samples);
   const double unit = unitOf(ranges);
-  NormalEquations equations(samples, mesh, samples.numberOfPatternValues());
+  const Adjacency neighbors = vertexNeighbors(mesh.Triangles, mesh.Positions.rows());
+  NormalEquations equations(samples, mesh, neighbors, samples.numberOfPatternValues());
   std::vector<Foot> heldOut;
   forEachFoot(
     samples, tree, samples.size(), {},
@@ -241,15 +245,16 @@ FittedValues fitValues(const TrainingSamples& samples, const Mesh& mesh, const R
   {
     values.col(c) = values.col(c).cwiseMax(-ranges[c]).cwiseMin(ranges[values.cols() + c]);
   }
-  return { std::move(values), smoothness };
+  return { std::move(values), smoothness, unit };
 }
 
 /// Mesh whose vertices have coordinates and pattern values: #V columns of 3 + D numbers.
 struct PatternMesh
 {
-  PatternMesh(const Mesh& mesh, const Columns& values)
+  /// @param[in] around  result of vertexTriangles() for the mesh
+  PatternMesh(const Mesh& mesh, const Adjacency& around, const Columns& values)
     : Triangles(mesh.Triangles)
-    , Around(vertexTriangles(mesh.Triangles, mesh.Positions.rows()))
+    , Around(around)
     , Weights(3 + values.cols(), mesh.Positions.rows())
   {
     this->Weights.topRows(3) = mesh.Positions.transpose();
@@ -296,7 +301,7 @@ struct PatternMesh
   }
 
   const conformal::Triangles& Triangles;
-  const Adjacency Around;
+  const Adjacency& Around;
   Columns Weights;
 };
 
@@ -304,11 +309,6 @@ struct PatternMesh
 void limitMoves(const Mesh& mesh, Points& moves)
 {
   constexpr int rounds = 6;
-  const auto quality = [](const Vector3& a, const Vector3& b, const Vector3& c)
-  {
-    const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
-    return 2.0 * std::sqrt(3.0) * (b - a).cross(c - a).norm() / squares; // 1 if equilateral
-  };
   for (int round = 0; round < rounds; ++round)
   {
     std::vector<char> isLimited(mesh.Positions.rows(), 0);
@@ -320,10 +320,10 @@ void limitMoves(const Mesh& mesh, Points& moves)
         before[k] = mesh.Positions.row(mesh.Triangles(r, k));
         after[k] = before[k] + Vector3(moves.row(mesh.Triangles(r, k)));
       }
-      const Vector3 normal = (before[1] - before[0]).cross(before[2] - before[0]);
-      const double now = quality(after[0], after[1], after[2]);
-      if ((after[1] - after[0]).cross(after[2] - after[0]).dot(normal) <= 0.0 ||
-        (now < MinimumQuality && now < quality(before[0], before[1], before[2])))
+      const Vector3 normal = twiceAreaVector(before[0], before[1], before[2]);
+      const double now = triangleQuality(after[0], after[1], after[2]);
+      if (twiceAreaVector(after[0], after[1], after[2]).dot(normal) <= 0.0 ||
+        (now < MinimumQuality && now < triangleQuality(before[0], before[1], before[2])))
       {
         for (int k = 0; k < 3; ++k)
         {
@@ -353,20 +353,22 @@ void alignWithPatternValues(const TrainingSamples& samples, Mesh& mesh, const Ru
   {
     return;
   }
-  const Mesh shape = mesh;
-  const TriangleTree surface(shape.Positions, shape.Triangles, run.unwatched());
+  const TriangleTree surface(mesh.Positions, mesh.Triangles, run.unwatched());
+  TriangleTree tree = surface; // of the moved mesh
+  const Index numberOfVertices = mesh.Positions.rows();
+  const Adjacency neighbors = vertexNeighbors(mesh.Triangles, numberOfVertices),
+                  around = vertexTriangles(mesh.Triangles, numberOfVertices);
   Steps steps(run, std::vector<double>(NumberOfAlignments + 1, 1.0));
   const FittedValues fitted = fitValues(samples, mesh, steps.next());
   Columns values = fitted.Values;
   for (int round = 0; round < NumberOfAlignments; ++round)
   {
     const Run aligning = steps.next();
-    const PatternMesh full(mesh, values);
-    const TriangleTree tree(mesh.Positions, mesh.Triangles, aligning.unwatched());
+    const PatternMesh full(mesh, around, values);
+    tree.refit(mesh.Positions, mesh.Triangles, aligning.unwatched());
     const Index size = samples.numberOfPatternValues();
-    NormalEquations equations(samples, mesh, 3);
-    NormalEquations valueEquations(samples, mesh, size);
-    const double unit = unitOf(rangesOf(samples));
+    NormalEquations equations(samples, mesh, neighbors, 3);
+    NormalEquations valueEquations(samples, mesh, neighbors, size);
     const auto closest = [&](Index id, const Vector3& x, int hint)
     {
       Eigen::VectorXd pattern(3 + size);
@@ -385,7 +387,7 @@ void alignWithPatternValues(const TrainingSamples& samples, Mesh& mesh, const Ru
         }
         const Foot foot = { i, found.Triangle, found.Barycentric };
         equations.add(foot, residual.data());
-        valueEquations.add(foot, scaledValues(samples, i, unit).data());
+        valueEquations.add(foot, scaledValues(samples, i, fitted.Unit).data());
       },
       aligning.part(0.0, 0.8));
     Points moves = equations.solve(MoveSmoothness, aligning.part(0.8, 0.9));
@@ -399,7 +401,7 @@ void alignWithPatternValues(const TrainingSamples& samples, Mesh& mesh, const Ru
     }
     limitMoves(mesh, moves);
     mesh.Positions += moves;
-    values = unit * valueEquations.solve(fitted.Smoothness, aligning.part(0.9, 1.0));
+    values = fitted.Unit * valueEquations.solve(fitted.Smoothness, aligning.part(0.9, 1.0));
     aligning.report(1.0);
   }
 }
