@@ -33,19 +33,6 @@ namespace
 {
 using Executive = vtkStreamingDemandDrivenPipeline;
 
-// Return the times of poses that are one input with time steps. Otherwise, return no times.
-std::vector<double> TimesOfPoses(vtkInformationVector* inputs)
-{
-  vtkInformation* info = inputs->GetInformationObject(0);
-  if (inputs->GetNumberOfInformationObjects() != 1 || !info->Has(Executive::TIME_STEPS()) ||
-    info->Length(Executive::TIME_STEPS()) < 2)
-  {
-    return {};
-  }
-  const double* first = info->Get(Executive::TIME_STEPS());
-  return { first, first + info->Length(Executive::TIME_STEPS()) };
-}
-
 // Return the number of the last pose at or before a time, and that time.
 std::size_t PoseAt(const std::vector<double>& times, double time)
 {
@@ -66,7 +53,7 @@ std::vector<double> CountedTimes(std::size_t size)
 // Return the pose at the requested time. Replace the requested time by that of the pose.
 vtkPolyData* RequestedPose(vtkInformationVector* inputs, const glue::Surfaces& poses, double& time)
 {
-  const std::vector<double> times = TimesOfPoses(inputs);
+  const std::vector<double> times = glue::TimeStepsOf(inputs);
   if (!times.empty())
   {
     if (poses.Held.size() != 1)
@@ -234,7 +221,7 @@ int vtkDeformationTransfer::FillInputPortInformation(int port, vtkInformation* i
 int vtkDeformationTransfer::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  std::vector<double> times = TimesOfPoses(inputs[2]);
+  std::vector<double> times = glue::TimeStepsOf(inputs[2]);
   if (times.empty())
   {
     // Blocks can be counted only if the input is up to date.

@@ -74,21 +74,6 @@ using timeSeries::SeriesStep;
 using timeSeries::TimePlace;
 using timeSeries::UsedStep;
 
-std::vector<double> TimesOfInput(vtkInformationVector* inputs)
-{
-  std::vector<double> times;
-  if (inputs->GetNumberOfInformationObjects() == 1)
-  {
-    vtkInformation* info = inputs->GetInformationObject(0);
-    if (info->Has(Executive::TIME_STEPS()) && info->Length(Executive::TIME_STEPS()) > 1)
-    {
-      const double* first = info->Get(Executive::TIME_STEPS());
-      times.assign(first, first + info->Length(Executive::TIME_STEPS()));
-    }
-  }
-  return times;
-}
-
 // Compute the mean of values at vertices, weighted by area.
 double MeanOver(const conformal::MappedMesh& mesh, const std::vector<double>& values)
 {
@@ -553,7 +538,7 @@ int vtkSphericalTimeSeries::RequestInformation(
 {
   // This request is made whenever an input or a property has changed.
   this->Kept->Forget();
-  this->Kept->Times = TimesOfInput(inputs[0]);
+  this->Kept->Times = glue::TimeStepsOf(inputs[0]);
   this->Kept->Interval = this->TimeInterval;
   std::vector<double> times = this->Kept->Times;
   if (times.empty())

@@ -122,6 +122,23 @@ std::vector<conformal::MappedMesh> ToMappedMeshes(
 }
 
 //------------------------------------------------------------------------------
+std::vector<double> TimeStepsOf(vtkInformationVector* inputs)
+{
+  using Executive = vtkStreamingDemandDrivenPipeline;
+  std::vector<double> times;
+  if (inputs->GetNumberOfInformationObjects() == 1)
+  {
+    vtkInformation* info = inputs->GetInformationObject(0);
+    if (info->Has(Executive::TIME_STEPS()) && info->Length(Executive::TIME_STEPS()) > 1)
+    {
+      const double* first = info->Get(Executive::TIME_STEPS());
+      times.assign(first, first + info->Length(Executive::TIME_STEPS()));
+    }
+  }
+  return times;
+}
+
+//------------------------------------------------------------------------------
 void SetTimeSteps(vtkInformation* outputInformation, const std::vector<double>& times)
 {
   using Executive = vtkStreamingDemandDrivenPipeline;

@@ -47,6 +47,10 @@ struct Surfaces
 void SetNamedBlock(
   vtkMultiBlockDataSet* blocks, const Surfaces& surfaces, std::size_t number, vtkPolyData* block);
 
+/// Return the time steps of a port with a single input that has at least two of them. Otherwise,
+/// return no times.
+std::vector<double> TimeStepsOf(vtkInformationVector* inputs);
+
 /// Set the time steps of an output in the pipeline information.
 /// @param[in] times  at least one, in ascending order
 void SetTimeSteps(vtkInformation* outputInformation, const std::vector<double>& times);
