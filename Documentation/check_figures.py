@@ -9,9 +9,11 @@ A comment on the line before a table of a guide names the command:
     <!-- figures: Testing/Benchmarks/measure_geodesics.py SCANS/spot.ply -->
     | surface | points | ...
 
-SCANS stands for the folder of scans. The script runs from the folder of the project, and prints Markdown tables. The
-printed table is the one with the same titles of columns. Two numbers agree if they differ by at most TOLERANCE of the
-larger one, or by one unit of the last printed digit. Columns of times and memory are not compared, since they depend on
+SCANS stands for the folder of scans. The script runs from the folder of the project, and prints Markdown tables or
+columns that are at least two spaces apart. "&&" joins commands that print rows of one table. The printed table is the
+one that has most of the titles of the guide's table, and as many rows. Other columns of the guide, such as those of an
+earlier version, are not compared. Two numbers agree if they differ by at most TOLERANCE of the larger one, or by one
+unit of the last printed digit. Names of rows are not compared, and no columns of times and memory, since they depend on
 the machine: those whose titles contain CPU, seconds, time, ms, MB or MiB. Exit status 1 if a row differs.
 
 --renew     replace tables by the printed ones
@@ -68,6 +70,11 @@ def cells(line):
     return [cell.strip() for cell in line.strip().strip("|").split("|")]
 
 
+def columns_of(line):
+    """Texts that are two spaces or more apart."""
+    return re.split(r" {2,}", line.strip())
+
+
 def printed_tables(text):
     """Rows of each printed table, by its titles."""
     lines = text.split("\n")
@@ -75,7 +82,25 @@ def printed_tables(text):
     for begin, end in tables_in(lines):
         rows = [cells(line) for line in lines[begin:end]]
         found.setdefault(tuple(rows[0]), []).extend(rows[2:])
+    titles = None
+    for line in lines:
+        row = columns_of(line)
+        if "|" in line or len(row) < 3:
+            continue
+        if 2 * sum(bool(NUMBER.fullmatch(cell)) for cell in row) < len(row):
+            titles = tuple(row)
+        elif titles and len(titles) == len(row):
+            found.setdefault(titles, []).append(row)
     return found
+
+
+def printed_columns(table, printed):
+    """Columns of the printed table that suits best, by their titles; None if two columns are not found."""
+    titles = cells(table.lines[0])
+    best = max(printed, key=lambda others: len(set(others) & set(titles)), default=())
+    if len(set(best) & set(titles)) < 2:
+        return None
+    return {title: [row[column] for row in printed[best]] for column, title in enumerate(best) if title in titles}
 
 
 def step(number):
@@ -99,41 +124,53 @@ def agree(one, other, tolerance):
 def differences(table, printed, tolerance):
     """What differs between a table and what is printed."""
     titles, _, *rows = (cells(line) for line in table.lines)
-    if tuple(titles) not in printed:
+    columns = printed_columns(table, printed)
+    if columns is None:
         yield "nothing is printed with these titles"
         return
-    new = printed[tuple(titles)]
-    if len(new) != len(rows):
-        yield f"{len(rows)} rows, but {len(new)} are printed"
+    count = len(next(iter(columns.values())))
+    if count != len(rows):
+        yield f"{len(rows)} rows, but {count} are printed"
         return
-    for row, other in zip(rows, new):
-        for title, one, two in zip(titles, row, other):
-            if not OF_THE_MACHINE.search(title) and not agree(one, two, tolerance):
-                yield f"{row[0]}, {title}: {one}, but {two} is printed"
+    for number, row in enumerate(rows):
+        for title, cell in zip(titles[1:], row[1:]):
+            if title in columns and re.search(r"\d", cell) and not OF_THE_MACHINE.search(title):
+                if not agree(cell, columns[title][number], tolerance):
+                    yield f"{row[0]}, {title}: {cell}, but {columns[title][number]} is printed"
 
 
 def run(command, scans):
-    words = [word.replace("SCANS", scans) for word in shlex.split(command)]
-    result = subprocess.run([sys.executable, *words], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
-    if result.returncode:
-        raise RuntimeError(f"exit status {result.returncode}")
-    return printed_tables(result.stdout)
+    text = ""
+    for part in command.split("&&"):
+        words = [word.replace("SCANS", scans) for word in shlex.split(part)]
+        result = subprocess.run([sys.executable, *words], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
+        if result.returncode:
+            raise RuntimeError(f"exit status {result.returncode}")
+        text += result.stdout
+    return printed_tables(text)
 
 
 def renewed(table, printed):
     """Lines of the table with what is printed, indented as before."""
+    columns = printed_columns(table, printed)
+    titles, _, *rows = (cells(line) for line in table.lines)
+    if columns is None:
+        return table.lines
+    count = len(next(iter(columns.values())))
+    if set(titles) - set(columns) and count != len(rows):
+        return table.lines
     indent = re.match(r"\s*", table.lines[0]).group()
-    rows = printed[tuple(cells(table.lines[0]))]
-    return [*table.lines[:2], *(f"{indent}| " + " | ".join(row) + " |" for row in rows)]
+    short = "e-0" not in "".join(table.lines)
+    new = [f"{indent}| " + " | ".join(columns[title][number] if title in columns else rows[number][column]
+                                      for column, title in enumerate(titles)) + " |" for number in range(count)]
+    return [*table.lines[:2], *(re.sub(r"(?<=\de[-+])0(?=\d)", "", row) if short else row for row in new)]
 
 
 def renew(guide, tables, outputs):
     with open(guide, encoding="utf-8") as file:
         lines = file.read().split("\n")
     for table in reversed(tables):
-        printed = outputs.get(table.command, {})
-        if tuple(cells(table.lines[0])) in printed:
-            lines[table.begin:table.end] = renewed(table, printed)
+        lines[table.begin:table.end] = renewed(table, outputs.get(table.command, {}))
     with open(guide, "w", encoding="utf-8") as file:
         file.write("\n".join(lines))
 

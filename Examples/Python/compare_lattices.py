@@ -172,7 +172,7 @@ def main():
         parser.error("--noise must be at least 0 and less than 1")
     models = scan_files.read_models(args.model)
     columns = COLUMNS + (OF_SURFACE if args.surfaces else ()) + (("of noise",) if args.noise > 0.0 else ())
-    print(f"{'':<24}{'lattice':<10}" + "".join(f"{column:>10}" for column in columns))
+    print(f"{'object':<24}{'mesh type':<10}" + "".join(f"{column:>10}" for column in columns))
     for name, model in (models or {"bear": builtin_figure.figure_surface()}).items():
         rows, ratio = compared(model, args.frequency, args.points, args.noise, args.surfaces)
         for lattice, row in rows.items():

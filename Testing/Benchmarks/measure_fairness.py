@@ -55,7 +55,7 @@ def main():
     parser.add_argument("--smoothness", type=float)
     parser.add_argument("--scans", default="../shared/data", help="folder of the scans")
     arguments = parser.parse_args()
-    print(f"{'object':13}{'s':>7}{'distance':>10}{'facets':>8}{'mean':>8}{'normals':>8}{'noise':>7}{'freedom':>9}"
+    print(f"{'object':13}{'s':>7}{'distance':>10}{'normals':>8}{'mean':>8}{'own':>8}{'noise':>7}{'freedom':>9}"
           f"{'neurons':>8}{'seconds':>8}")
     for name in arguments.objects.split(","):
         truth = known_object(name, arguments.scans, arguments.points)

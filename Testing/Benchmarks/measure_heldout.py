@@ -67,7 +67,7 @@ def row(points, smoothness=None):
     z = np.minimum(d / sigma, FAR)
     likelihood = np.mean(-np.log(sigma) - 0.5 * z**2) - 0.5 * np.log(2.0 * np.pi)
     best = -np.log(max(rms(np.minimum(d, FAR * sigma)), 1e-12)) - 0.5 - 0.5 * np.log(2.0 * np.pi)
-    return (f"{len(x):8}{noise:10.2e}{rms(errors):10.2e}{rms(d):10.2e}{rms(z):8.3f}{likelihood:11.3f}{best:8.3f}"
+    return (f"{len(x):8}{noise:12.2e}{rms(errors):10.2e}{rms(d):10.2e}{rms(z):8.3f}{likelihood:12.3f}{best:8.3f}"
             f"{np.mean(d > FAR * sigma):9.4f}")
 
 
@@ -80,18 +80,18 @@ def main():
     parser.add_argument("--scans", default="../shared/data", help="folder of the known objects' files")
     parser.add_argument("--smoothness", type=float, help="property Smoothness of vtkConformalSOM")
     arguments = parser.parse_args()
-    print(f"{'scan':24}{'points':>8}{'noise':>10}{'error':>10}{'rms':>10}{'ratio':>8}{'likelihood':>11}{'best':>8}"
-          f"{'clipped':>9}")
+    print(f"{'object':18}{'s':>6}{'points':>8}{'NoiseLevel':>12}{'error':>10}{'rms':>10}{'ratio':>8}"
+          f"{'likelihood':>12}{'best':>8}{'clipped':>9}")
     for path in arguments.scan:
         reader = scan_files.scan_reader(path)
         reader.Update()
-        print(f"{os.path.basename(path):24}{row(points_of(reader.GetOutput()), arguments.smoothness)}", flush=True)
+        print(f"{os.path.basename(path):18}{'-':>6}{row(points_of(reader.GetOutput()), arguments.smoothness)}", flush=True)
     for name in arguments.objects.split(",") if arguments.objects else ():
         truth = known_object(name, arguments.scans, arguments.points)
         radius = largest_radius(truth.points)
         for s in map(float, arguments.noise.split(",")):
             points = truth.points + s * radius * np.random.default_rng(101).normal(size=truth.points.shape)
-            print(f"{name + f' {s}':24}{row(points, arguments.smoothness)}", flush=True)
+            print(f"{name:18}{s:6}{row(points, arguments.smoothness)}", flush=True)
 
 
 if __name__ == "__main__":

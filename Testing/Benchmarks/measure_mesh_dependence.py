@@ -70,7 +70,7 @@ def rotated(surface):
 
 
 def main():
-    print("| mesh | points | AreaBalance | mean angle | largest angle | power | power, rotated |\n"
+    print("| mesh | points | AreaBalance | mean angle | largest angle | power | rotated |\n"
           "|---|---|---|---|---|---|---|")
     for path in sys.argv[1:]:
         reader = scan_files.scan_reader(path)

@@ -35,7 +35,7 @@ from known_objects import (facet_normals, field_value, known_object, mismatch, r
                            triangles_of)
 
 NEURONS = 12962  # to which ratios refer
-COLUMNS = f"{'object':13}{'kind':9}{'s':>7}{'points':>8}{'neurons':>8}{'true':>9}{'found':>7}{'off':>10}{'p2s':>10}" \
+COLUMNS = f"{'object':13}{'kind':9}{'s':>7}{'points':>8}{'neurons':>8}{'true':>9}{'NoiseLevel / true':>19}{'off':>10}{'p2s':>10}" \
           f"{'normals':>8}{'area':>7}{'seconds':>8}  warnings"
 
 
@@ -91,7 +91,7 @@ def row(target, points, true, arguments):
     surface = smooth_surface(network.GetOutput())
     off, p2s, normals = mismatch(surface, target.mesh)
     found = field_value(network.GetOutput(), "NoiseLevel") / (true or 1.0)
-    return (f"{network.GetOutput().GetNumberOfPoints():8}{true:9.5f}{found:7.2f}{off:10.2e}{p2s:10.2e}{normals:8.2f}"
+    return (f"{network.GetOutput().GetNumberOfPoints():8}{true:9.5f}{found:19.2f}{off:10.2e}{p2s:10.2e}{normals:8.2f}"
             f"{area(surface) / target.area:7.3f}{seconds:8.1f}  {len(warnings)}"), warnings
 
 

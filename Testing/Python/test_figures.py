@@ -25,36 +25,54 @@ GUIDE = """Text.
 """
 PRINTED = "| name | error | CPU s |\n|---|---|---|\n| one | 1.00e-5 | 9.0 |\n| two | {} | 1.0 |\nThe end."
 
+GUIDE_OF_COLUMNS = """<!-- figures: PRINTER && PRINTER -->
+| name | error | before |
+|---|---|---|
+| one | 1.00e-5 | 5 |
+| two | 2.00e-5 | 6 |
+| one | 1.01e-5 | 7 |
+| two | 2.51e-5 | 8 |
+"""
+
 
 class Figures(unittest.TestCase):
-    def run_script(self, second_row, *words):
+    def run_script(self, printed, *words, guide=GUIDE):
         with tempfile.TemporaryDirectory() as folder:
-            printer, guide = os.path.join(folder, "printer.py"), os.path.join(folder, "guide.md")
+            printer, path = os.path.join(folder, "printer.py"), os.path.join(folder, "guide.md")
             with open(printer, "w", encoding="utf-8") as file:
-                file.write(f"print({PRINTED.format(second_row)!r})")
-            with open(guide, "w", encoding="utf-8") as file:
-                file.write(GUIDE.replace("PRINTER", printer))
-            result = subprocess.run([sys.executable, SCRIPT, guide, *words], stdout=subprocess.PIPE,
+                file.write(f"print({printed!r})")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(guide.replace("PRINTER", printer))
+            result = subprocess.run([sys.executable, SCRIPT, path, *words], stdout=subprocess.PIPE,
                                     stderr=subprocess.DEVNULL, text=True, check=False)
-            with open(guide, encoding="utf-8") as file:
+            with open(path, encoding="utf-8") as file:
                 return result.returncode, result.stdout, file.read().replace(printer, "PRINTER")
 
     def test_equal_numbers_and_other_times_are_accepted(self):
-        self.assertEqual(self.run_script("2.1 %"), (0, "1 tables, 0 differ\n", GUIDE))
+        self.assertEqual(self.run_script(PRINTED.format("2.1 %")), (0, "1 tables, 0 differ\n", GUIDE))
 
     def test_other_numbers_are_reported(self):
-        code, text, guide = self.run_script("2.5 %")
+        code, text, guide = self.run_script(PRINTED.format("2.5 %"))
         self.assertEqual((code, guide), (1, GUIDE))
         self.assertIn("guide.md:4: two, error: **2.0 %**, but 2.5 % is printed", text)
 
     def test_other_texts_and_failures_are_reported(self):
-        self.assertIn("but 2.0 mm is printed", self.run_script("2.0 mm")[1])
-        self.assertIn("2 rows, but 3 are printed", self.run_script("2.0 % | 1.0 |\n| three | 1")[1])
+        self.assertIn("but 2.0 mm is printed", self.run_script(PRINTED.format("2.0 mm"))[1])
+        self.assertIn("2 rows, but 3 are printed", self.run_script(PRINTED.format("2.0 % | 1.0 |\n| three | 1"))[1])
 
     def test_tables_are_renewed(self):
-        code, _, guide = self.run_script("2.5 %", "--renew")
+        code, _, guide = self.run_script(PRINTED.format("2.5 %"), "--renew")
         self.assertEqual(code, 0)
         self.assertEqual(guide, GUIDE.replace("1.02e-5 | 3.0", "1.00e-5 | 9.0").replace("**2.0 %**", "2.5 %"))
+
+    def test_columns_of_several_commands_are_compared_with_those_of_the_guide(self):
+        columns = "name  error  time\none  1.00e-05  3.0\nTwo lines of text.\ntwo  2.50e-05  4.0\n"
+        code, text, _ = self.run_script(columns, guide=GUIDE_OF_COLUMNS)
+        self.assertEqual((code, text.count("is printed")), (1, 1))
+        self.assertIn("two, error: 2.00e-5, but 2.50e-05 is printed", text)
+        renewed = self.run_script(columns, "--renew", guide=GUIDE_OF_COLUMNS)[2]
+        expected = GUIDE_OF_COLUMNS.replace("2.00e-5", "2.50e-5").replace("1.01e-5", "1.00e-5")
+        self.assertEqual(renewed, expected.replace("2.51e-5", "2.50e-5"))
 
     def test_commands_of_guides_exist(self):
         folder = os.path.join(ROOT, "Documentation")
