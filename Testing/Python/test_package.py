@@ -82,6 +82,14 @@ class TestPackage(unittest.TestCase):
         with self.assertRaisesRegex(AttributeError, "no attribute 'SetNothing'"):
             conformalsom.vtkConformalSOM().SetNothing()
 
+    def test_the_changelog_has_all_old_names(self):
+        root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+        with open(os.path.join(root, "CHANGELOG.md"), encoding="utf-8") as file:
+            rows = [line for line in file if line.startswith("| `vtk")]
+        for class_name, renamed in conformalsom.RENAMED.items():
+            for old in renamed:
+                self.assertTrue(any(class_name in row and f"`{old}`" in row for row in rows), f"{class_name}, {old}")
+
     def test_every_class_is_made_and_printed(self):
         bases = {"vtkSurfaceFileReader", "vtkSurfaceFileWriter"}  # abstract
         for name in set(classes_of_modules()) - bases:
