@@ -4,11 +4,16 @@
 #   format  C++ is laid out as .clang-format says
 #   tidy    clang-tidy finds nothing in the libraries (.clang-tidy)
 #   docs    the pages build without a warning, with all citations and links
-#   asan    all tests but those in Python, under AddressSanitizer and UndefinedBehaviorSanitizer
+#   asan    all tests but those in Python, under AddressSanitizer and UndefinedBehaviorSanitizer, in eight parts;
+#           parts that have passed are not run again by the next call, unless something was compiled since
 #   tests   all tests, as Testing/run.sh
 #   wheel   the wheel of all classes passes the tests of Python
 #
-# Without arguments all of them. The jobs of .github/workflows/ci.yml are these.
+# Without arguments all of these. One more takes hours:
+#
+#   fuzz    each fuzzer finds nothing in FUZZ_SECONDS (600); fuzzers that have passed are not run again, as for asan
+#
+# The jobs of .github/workflows/ci.yml are these.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Testing/steps.sh
@@ -47,7 +52,56 @@ check_asan()
   install
   configure asan
   build asan
-  run_tests asan
+  forget_passed asan
+  local part failed=0
+  for part in {1..8}; do
+    once asan "tests-$part" run_tests asan -I "$part,,8" || failed=1
+  done
+  return "$failed"
+}
+
+# forget_passed PRESET: if the last build has compiled something
+forget_passed()
+{
+  grep -q "no work to do" "build/$1/build.log" || rm -rf "build/$1/passed"
+}
+
+# once PRESET NAME COMMAND...: run, unless it has passed before
+once()
+{
+  local passed="build/$1/passed/$2"
+  if [ -e "$passed" ]; then
+    echo "$2 has passed before"
+    return
+  fi
+  "${@:3}" && mkdir -p "$(dirname "$passed")" && touch "$passed"
+}
+
+# fuzz FILE: a corpus of Testing/Fuzz/Corpus
+fuzz()
+{
+  local unit found program=build/fuzz/Testing/Fuzz/FuzzClass
+  unit="$(basename "$1" .inputs)"
+  found="build/fuzz/found/$unit"
+  if [ -x "build/fuzz/Testing/Fuzz/Fuzz$unit" ]; then
+    program="build/fuzz/Testing/Fuzz/Fuzz$unit"
+  fi
+  python3 Testing/Fuzz/corpus.py unpack "$1" "$found"
+  CONFORMALSOM_FUZZED_CLASS="vtk$unit" logged "build/fuzz/$unit.log" "Fuzzing $unit" \
+    "$program" -max_total_time="${FUZZ_SECONDS:-600}" -artifact_prefix="build/fuzz/$unit-" "$found"
+}
+
+check_fuzz()
+{
+  install clang "libclang-rt-$llvm-dev"
+  configure fuzz
+  build fuzz
+  forget_passed fuzz
+  local corpus failed=0
+  for corpus in Testing/Fuzz/Corpus/*.inputs; do
+    once fuzz "$(basename "$corpus" .inputs)" fuzz "$corpus" || failed=1
+  done
+  return "$failed"
 }
 
 check_tests()
@@ -63,7 +117,7 @@ check_wheel()
 
 all=(format docs tidy asan tests wheel)
 for check in "$@"; do
-  [[ " ${all[*]} " == *" $check "* ]] || { echo "No check $check; there are ${all[*]}" >&2; exit 2; }
+  [[ " ${all[*]} fuzz " == *" $check "* ]] || { echo "No check $check; there are ${all[*]} fuzz" >&2; exit 2; }
 done
 if [ "$#" -eq 1 ]; then
   "check_$1"
