@@ -32,6 +32,7 @@ from typing import NamedTuple
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MARK = re.compile(r"\s*<!-- figures: (.*?) -->\s*$")
 OF_THE_MACHINE = re.compile(r"\b(CPU|seconds|time|ms|s|MB|MiB)\b")
+ROUNDING = 1e-11  # smaller differences are not compared
 NUMBER = re.compile(r"[-+]?\d[\d,]*\.?\d*(?:e[-+]?\d+)?")
 
 
@@ -116,7 +117,7 @@ def agree(one, other, tolerance):
     for a, b in zip(NUMBER.findall(one), NUMBER.findall(other)):
         a, b = a.replace(",", ""), b.replace(",", "")
         difference = abs(float(a) - float(b))
-        if difference > max(tolerance * max(abs(float(a)), abs(float(b))), 1.001 * max(step(a), step(b))):
+        if difference > max(ROUNDING, tolerance * max(abs(float(a)), abs(float(b))), 1.001 * max(step(a), step(b))):
             return False
     return True
 
