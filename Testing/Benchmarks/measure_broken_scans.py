@@ -27,7 +27,6 @@ import time
 import numpy as np
 from scan_defects import AXES, Surface, far_from
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
 from conformalsom import vtkConformalSOM, vtkGenusZeroCheck
@@ -37,11 +36,12 @@ from helpers.clouds import cloud_of
 from measure_missing_parts import tips
 
 # Words of each warning, and its name in the table.
-WARNINGS = {"not conformal everywhere": "map", "the mesh: it does not": "uncovered", "faces the wrong way": "inverted",
-            "are folded": "folded", "have noise": "noise", "for the object's details": "details",
-            "two layers": "layers", "left out: outliers": "outliers", "no points nearby (": "unsupported",
-            "cross each other": "crossing", "distinguish inside": "leaks", "handle": "handles", "a border": "border",
-            "two layers around": "shell", "horizontal": "ground"}
+WARNINGS = {
+    "to the sphere is not conformal": "map", "the mesh: it does not": "uncovered", "faces the wrong way": "inverted",
+    "are folded": "folded", "have noise": "noise", "for the object's details": "details", "lie on two layers": "layers",
+    "left out: outliers": "outliers", "no points nearby (": "unsupported", "cross each other": "crossing",
+    "distinguish inside": "leaks", "had handles": "handles", "has a border": "border", "two layers around": "shell",
+    "stands on a plane": "ground"}
 COLUMNS = ("web %", "miss %", "inverted %", "largest")
 
 
@@ -161,7 +161,6 @@ def main():
     parser.add_argument("--seed", type=int, default=1, help="of the bodies, default 1")
     parser.add_argument("--only", nargs="+", default=[""], metavar="SCAN", help="scans whose names begin so")
     args = parser.parse_args()
-    vtkObject.GlobalWarningDisplayOn()
     objects = list(scan_files.read_models(args.files).items()) + list(made_bodies(args.bodies, args.seed))
     counts = dict.fromkeys(("right", "warned", "wrong and silent", "false alarms"), 0)
     print("| " + " | ".join(("object", "scan", *COLUMNS, "CPU s", "verdict", "warnings")) + " |\n|" + " --- |" * 9)

@@ -73,6 +73,23 @@ std::vector<int> verticesInGaps(const std::vector<double>& distances, double spa
   return vertices;
 }
 
+// Return the typical distance of neighboring samples across scan lines, if there are any, else in
+// any direction. Six samples lie in a circle of this radius times the square root of 6 / pi.
+double spacingOfRows(const Points& samples)
+{
+  constexpr Index step = 7;
+  const SampleSpacing spacing(samples);
+  std::vector<double> radii;
+  std::vector<Neighbor> around;
+  for (Index i = 0; i < samples.rows(); i += step)
+  {
+    radii.push_back(spacing.at(i, around).Radius);
+  }
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle * std::sqrt(Pi / 6.0);
+}
+
 // Matrix of the sums of differences from the neighbors.
 SparseMatrix laplacian(const Adjacency& neighbors, Index size)
 {
@@ -135,7 +152,7 @@ Index fillSmoothly(const TrainingSamples& samples, double noise, Points& positio
     positions.row(moved[k]) = solution.row(k);
   }
   // The gaps between scan lines are no bases.
-  const double ofRows = std::max(spacing, SampleSpacing(selected).median());
+  const double ofRows = std::max(spacing, spacingOfRows(selected));
   flattenBases(selected,
     fartherThan(std::max(MovedSpacings * ofRows, MovedDeviations * noise), distances), ofRows,
     0.5 * (ofRows - spacing), positions, triangles, steps.next());

@@ -6,6 +6,7 @@
 #include "Cloud/Orientation.h"
 #include "Cloud/StrayPoints.h"
 #include "Cloud/WindingNumbers.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/PointTree.h"
