@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -195,23 +194,6 @@ bool openedAndMapped(const TrainingSamples& samples, const BorderOptions& openin
   return false;
 }
 
-/// Count the samples that are farther from the surface than noise explains, on all ranks.
-Index countBeyondNoise(
-  const TrainingSamples& samples, const ConformalSOMResult& result, const Run& run)
-{
-  constexpr double deviations = 5.0;
-  const double limit = deviations * result.Noise;
-  const TriangleTree tree(result.Positions, result.Triangles, run.unwatched());
-  std::int64_t count = 0;
-  forEachFoot(
-    samples, tree, samples.size(), {},
-    [&](Index, const Vector3&, const FootPoint& foot)
-    { count += foot.SquareDistance > limit * limit; },
-    run);
-  samples.reduce().sum(&count, 1);
-  return count;
-}
-
 /// Remove slivers, which maps to the sphere distort. A vertex made from two others gets the larger
 /// standard error, and the smaller support.
 void removeSliversOf(ConformalSOMResult& result, const Run& run)
@@ -291,10 +273,10 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
   if (!isGeodesic)
   {
     const bool isOwnMesh = result.FromMesh && mesh->SpherePositions.rows() == 0;
-    if (result.Noise > 0.0 && result.NumberOfSamplesOutside > 0)
+    if (result.NumberOfSamplesOutside > 0)
     {
-      result.NumberOfSamplesOutside =
-        std::min(result.NumberOfSamplesOutside, countBeyondNoise(kept, result, run.unwatched()));
+      result.NumberOfSamplesOutside = std::min(result.NumberOfSamplesOutside,
+        countBeyondReach(kept, result.Positions, result.Triangles, result.Noise, run.unwatched()));
     }
     const Run untangling = steps.next();
     if (kept.dimension() == 3)

@@ -3,6 +3,7 @@
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Cloud/SampleSpacing.h"
+#include "Learn/Fit/FlatBases.h"
 #include "Linear/ShiftedSystem.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Mesh/MeshTopology.h"
@@ -39,6 +40,19 @@ std::vector<double> distancesFrom(const Points& samples, const Points& positions
   return distances;
 }
 
+std::vector<int> fartherThan(double limit, const std::vector<double>& distances)
+{
+  std::vector<int> vertices;
+  for (int i = 0; i < static_cast<int>(distances.size()); ++i)
+  {
+    if (distances[i] > limit)
+    {
+      vertices.push_back(i);
+    }
+  }
+  return vertices;
+}
+
 // Return the vertices to move: none if there are no gaps.
 std::vector<int> verticesInGaps(const std::vector<double>& distances, double spacing, double noise)
 {
@@ -47,23 +61,33 @@ std::vector<int> verticesInGaps(const std::vector<double>& distances, double spa
   const auto size = static_cast<double>(distances.size());
   const auto inGaps = static_cast<double>(
     std::count_if(distances.begin(), distances.end(), [&](double d) { return d > gap; }));
-  std::vector<int> vertices;
   if (inGaps < FewestInGaps * size)
   {
-    return vertices;
+    return {};
   }
-  for (int i = 0; i < static_cast<int>(distances.size()); ++i)
-  {
-    if (distances[i] > moved)
-    {
-      vertices.push_back(i);
-    }
-  }
+  std::vector<int> vertices = fartherThan(moved, distances);
   if (static_cast<double>(vertices.size()) > MostMoved * size)
   {
     vertices.clear();
   }
   return vertices;
+}
+
+// Return the typical distance of neighboring samples across scan lines, if there are any, else in
+// any direction. Six samples lie in a circle of this radius times the square root of 6 / pi.
+double spacingOfRows(const Points& samples)
+{
+  constexpr Index step = 7;
+  const SampleSpacing spacing(samples);
+  std::vector<double> radii;
+  std::vector<Neighbor> around;
+  for (Index i = 0; i < samples.rows(); i += step)
+  {
+    radii.push_back(spacing.at(i, around).Radius);
+  }
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle * std::sqrt(Pi / 6.0);
 }
 
 // Matrix of the sums of differences from the neighbors.
@@ -89,12 +113,12 @@ Index fillSmoothly(const TrainingSamples& samples, double noise, Points& positio
   const Triangles& triangles, const Run& run)
 {
   constexpr int rings = 2;
-  Steps steps(run, { 0.3, 0.7 }); // distances, equations
+  Steps steps(run, { 0.3, 0.6, 0.1 }); // distances, equations, flat bases
   const Points selected = selectedSamples(samples, SamplesPerVertex * positions.rows());
   const double spacing =
     std::sqrt(surfaceArea(positions, triangles) / static_cast<double>(selected.rows()));
-  const std::vector<int> moved =
-    verticesInGaps(distancesFrom(selected, positions, steps.next()), spacing, noise);
+  const std::vector<double> distances = distancesFrom(selected, positions, steps.next());
+  const std::vector<int> moved = verticesInGaps(distances, spacing, noise);
   const auto size = static_cast<Index>(moved.size());
   if (size == 0)
   {
@@ -127,6 +151,11 @@ Index fillSmoothly(const TrainingSamples& samples, double noise, Points& positio
   {
     positions.row(moved[k]) = solution.row(k);
   }
+  // The gaps between scan lines are no bases.
+  const double ofRows = std::max(spacing, spacingOfRows(selected));
+  flattenBases(selected,
+    fartherThan(std::max(MovedSpacings * ofRows, MovedDeviations * noise), distances), ofRows,
+    0.5 * (ofRows - spacing), positions, triangles, steps.next());
   return size;
 }
 }

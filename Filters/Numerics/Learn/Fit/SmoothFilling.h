@@ -16,6 +16,8 @@ namespace conformal
 /// The surface continues with the slope and the curvature that it has at samples. The fit alone
 /// makes the surface flat there.
 ///
+/// A base on which the object stood is then made flat, see flattenBases() in FlatBases.h.
+///
 /// A spacing is the side of the square of the surface that a sample represents. Vertices farther
 /// than 1.5 spacings and three standard deviations of the noise from all samples are moved. Nothing
 /// is moved if fewer than 0.2 % of the vertices are farther than two spacings and four standard

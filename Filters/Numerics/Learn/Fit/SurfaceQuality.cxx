@@ -2,9 +2,11 @@
 
 #include "Base/Steps.h"
 #include "Cloud/CloudThinning.h"
+#include "Cloud/FootPoints.h"
 #include "Cloud/Orientation.h"
 #include "Cloud/StrayPoints.h"
 #include "Cloud/WindingNumbers.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshTopology.h"
 #include "Search/PointTree.h"
@@ -375,6 +377,25 @@ SurfaceQuality evaluateSurface(const TrainingSamples& samples, const Points& pos
     quality.InvertedFraction = inverted / counted;
   }
   return quality;
+}
+
+//------------------------------------------------------------------------------
+Index countBeyondReach(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, double noise, const Run& run)
+{
+  constexpr double deviations = 5.0, largestSpacing = 0.01;
+  const double spacing =
+    std::sqrt(surfaceArea(positions, triangles) / static_cast<double>(samples.totalSize()));
+  const double limit = std::max(deviations * noise, std::min(spacing, largestSpacing));
+  const TriangleTree tree(positions, triangles, run.unwatched());
+  std::int64_t count = 0;
+  forEachFoot(
+    samples, tree, samples.size(), [](Index i) { return i; },
+    [&](Index, const Vector3&, const FootPoint& foot)
+    { count += foot.SquareDistance > limit * limit; },
+    run);
+  samples.reduce().sum(&count, 1);
+  return count;
 }
 
 //------------------------------------------------------------------------------

@@ -73,6 +73,14 @@ struct ToleratedQuality
 SurfaceQuality evaluateSurface(const TrainingSamples& samples, const Points& positions,
   const Triangles& triangles, double noise, const Run& run = {});
 
+/// Count the samples that a surface does not reach, on all ranks. They are farther from the surface
+/// than five standard deviations of the noise, and than the spacing of the samples, or 0.01 if the
+/// spacing is larger. Samples outside of a hull are often reached by the fit. See evaluateSurface()
+/// for the arguments.
+/// @throws Aborted
+Index countBeyondReach(const TrainingSamples& samples, const Points& positions,
+  const Triangles& triangles, double noise, const Run& run = {});
+
 /// Reduce UncoveredFraction by the fraction of samples that a hull left out. A hull is a start
 /// surface of learning, a closed surface around the samples. Samples outside of the hull and far
 /// from it are left out on purpose.

@@ -282,3 +282,18 @@ TEST(SurfaceQuality, FindsLayersOfFewPointsAroundACoarseMesh)
     EXPECT_NEAR(qualityOn(makeGeodesicSphere(8), layers).LayerDistance, 0.04, 0.004) << size;
   }
 }
+
+// Of 2,000 samples, 30 are near the surface, though farther than noise explains, and 20 are not.
+TEST(SurfaceQuality, CountsSamplesThatTheSurfaceDoesNotReach)
+{
+  Points points = spheres::random(2000);
+  points.topRows(30) *= 1.008;
+  points.middleRows(30, 20) *= 0.95;
+  points.bottomRows(1) *= 1.2 / points.bottomRows(1).norm(); // determines the unit
+  const conformal::TrainingSamples samples(points);
+  const Mesh mesh = makeGeodesicSphere(48);
+  const Points positions = samples.normalizeAll(mesh.Positions);
+  EXPECT_EQ(conformal::countBeyondReach(samples, positions, mesh.Triangles, 0.0), 21);
+  EXPECT_EQ(conformal::countBeyondReach(samples, positions, mesh.Triangles, 0.02), 1);
+  EXPECT_EQ(conformal::countBeyondReach(samples, positions, mesh.Triangles, 0.1), 0);
+}
