@@ -65,7 +65,7 @@ public:
   /// Measure the scale before the first move, so that outliers never contribute.
   void measureScale(const Run& run)
   {
-    this->Rotation.turn(this->samplesOf(-1));
+    this->Rotation.turn(this->Options.SamplesPerIteration);
     this->forEachFoot([&](Index, const Vector3&, const FootPoint& foot, double weight)
       { this->Scale.add(foot, this->Triangles, weight); },
       run);
@@ -76,7 +76,7 @@ public:
   {
     Steps steps(run, { 0.65, 0.01, 0.32, 0.02 }); // samples, guide, equations, tree
     const int firstIdle = std::max(1, this->Options.Iterations / 2);
-    this->draw(number, number + 1 == firstIdle, steps.next());
+    this->draw(number + 1 == firstIdle, steps.next());
     steps.next();
     if (this->Options.Guide)
     {
@@ -137,18 +137,10 @@ private:
       run);
   }
 
-  /// Return the number of samples of an iteration, or of the measurement before the first one (-1).
-  Index samplesOf(int number) const
-  {
-    const LeastSquaresFitOptions& own = this->Options;
-    const bool isWhole = own.SamplesBefore == 0 || number >= own.Iterations - own.WholeIterations;
-    return isWhole ? own.SamplesPerIteration : std::min(own.SamplesBefore, own.SamplesPerIteration);
-  }
-
   /// Add the terms of the patterns to the equations.
-  void draw(int number, bool keepTargets, const Run& run)
+  void draw(bool keepTargets, const Run& run)
   {
-    this->Rotation.turn(this->samplesOf(number));
+    this->Rotation.turn(this->Options.SamplesPerIteration);
     const Index stride =
       std::max<Index>(1, this->Rotation.totalCount() / (TargetsPerNeuron * this->Positions.rows()));
     std::vector<std::pair<Index, Vector3>> targets; // and their places

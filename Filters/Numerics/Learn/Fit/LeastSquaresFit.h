@@ -52,10 +52,6 @@ struct LeastSquaresFitOptions
 
   /// Maximum number of samples in an iteration. Each iteration uses different samples.
   Index SamplesPerIteration = 1000000;
-  /// Maximum number of samples before the last WholeIterations iterations; 0 if it is the same. If
-  /// the surface is already close to the samples, fewer samples suffice to move it closer.
-  Index SamplesBefore = 0;
-  int WholeIterations = 0;     ///< see SamplesBefore
   unsigned int RandomSeed = 1; ///< seed of the selection of samples
   /// Function that returns whether a sample is used; if empty, all samples are used.
   std::function<bool(const Vector3&)> Belongs;

@@ -222,27 +222,3 @@ TEST(LeastSquaresFit, FollowsAGuideBetweenPatterns)
   EXPECT_LT(without, 0.99);
   EXPECT_GT(with, 0.99);
 }
-
-TEST(LeastSquaresFit, FewerSamplesBeforeTheLastIterations)
-{
-  const Displaced displaced(0.1);
-  const TrainingSamples samples{ PointView(displaced.Cloud) };
-  const auto fit = [&](Index before, int whole, LearnedMesh& mesh)
-  {
-    mesh = displaced.Start;
-    LeastSquaresFitOptions options;
-    options.Iterations = 4;
-    options.SamplesPerIteration = samples.size();
-    options.SamplesBefore = before;
-    options.WholeIterations = whole;
-    const std::vector<double> masses = leastSquaresFit(samples, options, mesh);
-    return std::accumulate(masses.begin(), masses.end(), 0.0);
-  };
-  const Index few = samples.size() / 4;
-  LearnedMesh all, same, some, none;
-  EXPECT_EQ(fit(0, 0, all), fit(samples.size(), 1, same));
-  EXPECT_EQ(all.Positions, same.Positions);
-  EXPECT_NEAR(fit(few, 1, some), static_cast<double>(samples.size()), 0.05 * samples.size());
-  EXPECT_NE(all.Positions, some.Positions);
-  EXPECT_NEAR(fit(few, 0, none), static_cast<double>(few), 0.05 * few);
-}
