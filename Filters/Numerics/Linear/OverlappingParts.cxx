@@ -62,19 +62,27 @@ void OverlappingPart::copyCore(const Columns& part, Columns& whole) const
 SparseMatrix OverlappingPart::principalPart(const SparseMatrix& whole) const
 {
   const auto size = static_cast<Index>(this->Ids.size());
-  std::vector<int> own(whole.rows(), -1);
+  if (size == 0)
+  {
+    return SparseMatrix(0, 0);
+  }
+  // Ids of a part are often in a small range of all ids.
+  const auto [first, last] = std::minmax_element(this->Ids.begin(), this->Ids.end());
+  const int lowest = *first, end = *last - lowest + 1;
+  std::vector<int> own(end, -1);
   for (int i = 0; i < size; ++i)
   {
-    own[this->Ids[i]] = i;
+    own[this->Ids[i] - lowest] = i;
   }
   std::vector<Eigen::Triplet<double>> entries;
   for (int column = 0; column < size; ++column)
   {
     for (SparseMatrix::InnerIterator entry(whole, this->Ids[column]); entry; ++entry)
     {
-      if (own[entry.row()] >= 0)
+      const auto place = static_cast<int>(entry.row()) - lowest;
+      if (place >= 0 && place < end && own[place] >= 0)
       {
-        entries.emplace_back(own[entry.row()], column, entry.value());
+        entries.emplace_back(own[place], column, entry.value());
       }
     }
   }

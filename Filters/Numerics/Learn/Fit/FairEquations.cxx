@@ -41,13 +41,47 @@ double randomSign(std::uint64_t number)
   return ((z ^ (z >> 31U)) & 1U) != 0U ? 1.0 : -1.0;
 }
 
-/// Equation of one sample.
+/// Equation of one sample. Rows of all samples are kept, so that only what is needed is stored.
 struct Row
 {
-  FootPoint Foot;
-  Vector3 Weights; // moves of the foot point along its normal by unit moves of the three corners
-  double Residual, Weight;
+  Vector3 Barycentric; // of the foot point
+  double SquareDistance, Residual;
+  int Triangle, Sample;
+
+  FootPoint foot() const
+  {
+    FootPoint foot;
+    foot.Triangle = this->Triangle;
+    foot.Barycentric = this->Barycentric;
+    foot.SquareDistance = this->SquareDistance;
+    return foot;
+  }
 };
+
+using CornerIds = Eigen::Matrix<int, 1, 3>;
+
+Vector3 normalAt(const CornerIds& ids, const Vector3& barycentric, const Points& normals)
+{
+  Vector3 normal = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    normal += barycentric[k] * Vector3(normals.row(ids[k]));
+  }
+  normal.stableNormalize();
+  return normal;
+}
+
+/// Moves of a foot point along its normal by unit moves of the three corners
+Vector3 weightsAt(const CornerIds& ids, const Vector3& barycentric, const Points& normals)
+{
+  const Vector3 normal = normalAt(ids, barycentric, normals);
+  Vector3 weights;
+  for (int k = 0; k < 3; ++k)
+  {
+    weights[k] = barycentric[k] * normal.dot(Vector3(normals.row(ids[k])));
+  }
+  return weights;
+}
 
 std::vector<Row> rowsOf(const TrainingSamples& samples, const FairSamplesOptions& options,
   const Mesh& mesh, const Points& normals, const Run& run)
@@ -66,19 +100,9 @@ std::vector<Row> rowsOf(const TrainingSamples& samples, const FairSamplesOptions
       {
         return;
       }
-      const auto ids = mesh.Triangles.row(foot.Triangle);
-      Vector3 normal = Vector3::Zero(), weights;
-      for (int k = 0; k < 3; ++k)
-      {
-        normal += foot.Barycentric[k] * Vector3(normals.row(ids[k]));
-      }
-      normal.stableNormalize();
-      for (int k = 0; k < 3; ++k)
-      {
-        weights[k] = foot.Barycentric[k] * normal.dot(Vector3(normals.row(ids[k])));
-      }
-      rows.push_back(
-        { foot, weights, normal.dot(x - foot.Position), samples.weight(rotation.id(i)) });
+      const Vector3 normal = normalAt(mesh.Triangles.row(foot.Triangle), foot.Barycentric, normals);
+      rows.push_back({ foot.Barycentric, foot.SquareDistance, normal.dot(x - foot.Position),
+        foot.Triangle, static_cast<int>(rotation.id(i)) });
     },
     steps.next());
   return rows;
@@ -158,27 +182,29 @@ SampleDistances::SampleDistances(const TrainingSamples& samples, const FairSampl
   LocalScale scale(this->Size, options.OutlierRatio);
   for (const Row& row : rows)
   {
-    scale.add(row.Foot, this->Corners, row.Weight);
+    scale.add(row.foot(), this->Corners, samples.weight(row.Sample));
   }
   scale.update(neighbors, samples.reduce());
   FixedPointSums sums(SumsPerTriangle * this->Corners.rows());
   for (const Row& row : rows)
   {
-    if (scale.outlying(row.Foot, this->Corners))
+    if (scale.outlying(row.foot(), this->Corners))
     {
       continue;
     }
-    Index place = SumsPerTriangle * row.Foot.Triangle;
+    const Vector3 weights = weightsAt(this->Corners.row(row.Triangle), row.Barycentric, normals);
+    const double weight = samples.weight(row.Sample);
+    Index place = SumsPerTriangle * row.Triangle;
     for (int k = 0; k < 3; ++k)
     {
       for (int l = k; l < 3; ++l)
       {
-        sums.add(place++, row.Weight * row.Weights[k] * row.Weights[l]);
+        sums.add(place++, weight * weights[k] * weights[l]);
       }
-      sums.add(place++, row.Weight * row.Weights[k] * row.Residual);
+      sums.add(place++, weight * weights[k] * row.Residual);
     }
-    sums.add(place++, row.Weight * row.Residual * row.Residual);
-    sums.add(place++, row.Weight);
+    sums.add(place++, weight * row.Residual * row.Residual);
+    sums.add(place++, weight);
     sums.add(place, 1.0);
   }
   sums.reduce(samples.reduce());
@@ -436,13 +462,73 @@ CurvatureChange::Energy CurvatureChange::energy(
       }
     }
   }
-  SparseMatrix differences(size, size);
-  differences.setFromTriplets(entries.begin(), entries.end());
-  const SparseMatrix transposed = this->Change.transpose(), half = differences * this->Change;
   Energy energy;
-  energy.Matrix = transposed * half;
+  energy.Change = &this->Change;
+  energy.Differences.resize(size, size);
+  energy.Differences.setFromTriplets(entries.begin(), entries.end());
+  entries = {}; // releases the memory
+  const SparseMatrix transposed = this->Change.transpose();
   energy.Force = transposed * force;
   energy.Probes = transposed * probes;
   return energy;
+}
+
+//------------------------------------------------------------------------------
+SparseMatrix CurvatureChange::Energy::matrix() const
+{
+  const SparseMatrix transposed = this->Change->transpose(),
+                     half = this->Differences * *this->Change;
+  return transposed * half;
+}
+
+//------------------------------------------------------------------------------
+SparseMatrix CurvatureChange::Energy::principalPart(const std::vector<int>& ids) const
+{
+  const SparseMatrix& change = *this->Change;
+  SparseMatrix columns(change.rows(), static_cast<Index>(ids.size()));
+  Index size = 0;
+  for (const int id : ids)
+  {
+    size += change.outerIndexPtr()[id + 1] - change.outerIndexPtr()[id];
+  }
+  columns.reserve(size);
+  for (int k = 0; k < static_cast<int>(ids.size()); ++k)
+  {
+    columns.startVec(k);
+    for (SparseMatrix::InnerIterator entry(change, ids[k]); entry; ++entry)
+    {
+      columns.insertBack(entry.row(), k) = entry.value();
+    }
+  }
+  columns.finalize();
+  const SparseMatrix transposed = columns.transpose(), half = this->Differences * columns;
+  return transposed * half;
+}
+
+//------------------------------------------------------------------------------
+double CurvatureChange::Energy::trace() const
+{
+  const SparseMatrix& change = *this->Change;
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(change.rows()); // of C
+  double trace = 0.0;
+  for (Index j = 0; j < change.cols(); ++j)
+  {
+    for (SparseMatrix::InnerIterator entry(change, j); entry; ++entry)
+    {
+      column[entry.row()] = entry.value();
+    }
+    for (SparseMatrix::InnerIterator entry(change, j); entry; ++entry)
+    {
+      for (SparseMatrix::InnerIterator other(this->Differences, entry.row()); other; ++other)
+      {
+        trace += entry.value() * other.value() * column[other.row()];
+      }
+    }
+    for (SparseMatrix::InnerIterator entry(change, j); entry; ++entry)
+    {
+      column[entry.row()] = 0.0;
+    }
+  }
+  return trace;
 }
 }

@@ -130,9 +130,17 @@ public:
   /// moves u, the penalty is u K u + 2 u f + constant.
   struct Energy
   {
-    SparseMatrix Matrix;   ///< K
-    Eigen::VectorXd Force; ///< f
-    Columns Probes;        ///< random vectors with covariance K
+    /// Return K, or the rows and columns of K for some vertices. K couples three rings of
+    /// neighbors, and needs more memory than its factors.
+    SparseMatrix matrix() const;
+    SparseMatrix principalPart(const std::vector<int>& ids) const;
+    /// Return the sum of the diagonal of K.
+    double trace() const;
+
+    const SparseMatrix* Change = nullptr; ///< C, of the CurvatureChange
+    SparseMatrix Differences;             ///< D, where K = C^T D C
+    Eigen::VectorXd Force;                ///< f
+    Columns Probes;                       ///< random vectors with covariance K
   };
   /// @param[in] variances  expected value of the tensors of squaresAt(), not zero
   /// @param[in] sharp  whether each vertex is on a crease (sharp edge of the object), #V. Triangles

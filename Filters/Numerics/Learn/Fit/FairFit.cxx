@@ -46,8 +46,8 @@ constexpr double Ridge = 1e-10; // of the diagonal
 
 // Up to so many vertices, the equations are solved as a whole. The cost of a factorization
 // increases by the power 1.5 of the number of vertices. More vertices are divided into parts.
-constexpr Index MaximumWhole = 20000, MaximumCore = 8000;
-constexpr int RingsOfOverlap = 12;
+constexpr Index MaximumWhole = 20000, MaximumCore = 3000;
+constexpr int RingsOfOverlap = 8;
 constexpr Index PartsBetweenReports = 8;
 
 /// Spread values over neighboring vertices. The sum of the values does not change.
@@ -114,6 +114,7 @@ public:
     , Places(places)
     , Parts(overlappingParts(places, neighbors,
         places.rows() > MaximumWhole ? MaximumCore : MaximumWhole, RingsOfOverlap))
+    , WholeEnergy(this->isWhole() ? energy.matrix() : SparseMatrix())
   {
   }
 
@@ -121,13 +122,12 @@ public:
   {
     constexpr Index probes = NumberOfProbes;
     Columns columns(this->Places.rows(), 1 + 2 * probes);
-    columns << this->Distances.Right - weight * this->Energy.Force, this->Distances.Probes,
-      std::sqrt(weight) * this->Energy.Probes;
-    const Columns right = columns;
     this->forParts(run,
       [&](const OverlappingPart& part, const Run& own)
       {
-        Columns some = part.rowsOf(right);
+        Columns some(static_cast<Index>(part.Ids.size()), columns.cols());
+        some << part.rowsOf(this->Distances.Right - weight * this->Energy.Force),
+          part.rowsOf(this->Distances.Probes), std::sqrt(weight) * part.rowsOf(this->Energy.Probes);
         this->factorizeAt(part, weight, own).solve(some);
         part.copyCore(some, columns);
       });
@@ -145,8 +145,8 @@ public:
     Columns columns(this->Places.rows(), static_cast<Index>(NumberOfColumns));
     columns << this->Distances.Right, this->Energy.Force, this->Distances.Probes.col(0),
       this->Energy.Probes.col(0);
-    double center =
-      FirstWeight * this->Distances.Matrix.diagonal().sum() / this->Energy.Matrix.diagonal().sum();
+    double center = FirstWeight * this->Distances.Matrix.diagonal().sum() /
+      (this->isWhole() ? this->WholeEnergy.diagonal().sum() : this->Energy.trace());
     for (int ladder = 1;; ++ladder)
     {
       const Run own = run.part(1.0 - std::pow(0.5, ladder - 1), 1.0 - std::pow(0.5, ladder));
@@ -241,7 +241,7 @@ private:
   void forParts(const Run& run, const Solve& solve) const
   {
     const auto size = static_cast<Index>(this->Parts.size());
-    if (size == 1)
+    if (this->isWhole())
     {
       solve(this->Parts[0], run);
       return;
@@ -270,10 +270,12 @@ private:
     }
   }
 
+  bool isWhole() const { return this->Parts.size() == 1; }
+
   MultifrontalCholesky factorizeAt(const OverlappingPart& part, double weight, const Run& run) const
   {
-    SparseMatrix matrix =
-      part.principalPart(this->Distances.Matrix) + weight * part.principalPart(this->Energy.Matrix);
+    SparseMatrix matrix = part.principalPart(this->Distances.Matrix) +
+      weight * (this->isWhole() ? this->WholeEnergy : this->Energy.principalPart(part.Ids));
     matrix.diagonal() *= 1.0 + Ridge;
     return factorize(matrix, this->Places(part.Ids, Eigen::all), Rings, run);
   }
@@ -299,6 +301,7 @@ private:
   const CurvatureChange::Energy& Energy;
   const Points& Places;
   const std::vector<OverlappingPart> Parts;
+  const SparseMatrix WholeEnergy; // of a single part; parts of many compute their own
 };
 
 class FairFit

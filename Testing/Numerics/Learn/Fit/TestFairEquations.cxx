@@ -98,11 +98,11 @@ TEST(FairEquations, ARidgeIsSmoothedAlongButNotAcross)
   Tensors variances = Tensors::Zero(size, 6);
   variances.col(2).setConstant(1.0);
   const CurvatureChange::Energy energy = change.energy(variances, std::vector<bool>(size, false));
+  const conformal::SparseMatrix matrix = energy.matrix();
   const Eigen::VectorXd across = waves(0), along = waves(1);
   const double ofAcross =
-    across.dot(energy.Matrix * across) / traceOf(change.homogeneousSquaresAt(across));
-  const double ofAlong =
-    along.dot(energy.Matrix * along) / traceOf(change.homogeneousSquaresAt(along));
+    across.dot(matrix * across) / traceOf(change.homogeneousSquaresAt(across));
+  const double ofAlong = along.dot(matrix * along) / traceOf(change.homogeneousSquaresAt(along));
   EXPECT_GT(ofAlong, 4.0 * ofAcross);
 }
 
@@ -136,9 +136,27 @@ TEST(FairEquations, EnergyIsTheWeightedSumOfSquares)
   const CurvatureChange::Energy energy = change.energy(variances, std::vector<bool>(size, false));
   const Eigen::VectorXd still = Eigen::VectorXd::Zero(size),
                         moves = 0.01 * mesh.Positions.col(0).cwiseAbs2();
+  const conformal::SparseMatrix matrix = energy.matrix();
   const double constant = traceOf(change.squaresAt(still));
-  const double moved = moves.dot(energy.Matrix * moves) + 2.0 * moves.dot(energy.Force) + constant;
+  const double moved = moves.dot(matrix * moves) + 2.0 * moves.dot(energy.Force) + constant;
   EXPECT_NEAR(traceOf(change.squaresAt(moves)), moved, 1e-9 * constant);
   EXPECT_NEAR(
-    traceOf(change.homogeneousSquaresAt(moves)), moves.dot(energy.Matrix * moves), 1e-9 * constant);
+    traceOf(change.homogeneousSquaresAt(moves)), moves.dot(matrix * moves), 1e-9 * constant);
+}
+
+TEST(FairEquations, EnergyOfSomeVerticesIsAPartOfTheWhole)
+{
+  const Mesh mesh = conformal::makeGeodesicSphere(6);
+  const Points normals = conformal::vertexNormals(mesh.Positions, mesh.Triangles);
+  const CurvatureChange change(mesh, normals);
+  const Index size = mesh.Positions.rows();
+  Tensors variances = Tensors::Zero(size, 6);
+  variances.leftCols(3) = mesh.Positions.cwiseAbs2().array() + 0.1;
+  const CurvatureChange::Energy energy = change.energy(variances, std::vector<bool>(size, false));
+  const Eigen::MatrixXd whole = energy.matrix();
+  const std::vector<int> ids = { 200, 3, 4, 50, 51, 120 };
+  const Eigen::MatrixXd part = energy.principalPart(ids);
+  EXPECT_LT((part - whole(ids, ids)).norm(), 1e-12 * whole.norm());
+  EXPECT_GT(part.norm(), 0.0);
+  EXPECT_NEAR(energy.trace(), whole.trace(), 1e-12 * whole.trace());
 }
