@@ -46,8 +46,14 @@ constexpr double Ridge = 1e-10; // of the diagonal
 
 // Up to so many vertices, the equations are solved as a whole. The cost of a factorization
 // increases by the power 1.5 of the number of vertices. More vertices are divided into parts.
-constexpr Index MaximumWhole = 20000, MaximumCore = 3000;
-constexpr int RingsOfOverlap = 8;
+constexpr Index MaximumWhole = 20000;
+
+// Up to so many vertices, the matrix of the energy is kept between weights that are tried, and its
+// principal parts are solved. More vertices need too much memory for that: their smaller parts
+// compute matrices of their own.
+constexpr Index MaximumKept = 50000;
+constexpr Index CoreOfKept = 8000, CoreOfMany = 3000;
+constexpr int OverlapOfKept = 12, OverlapOfMany = 8; // in rings
 constexpr Index PartsBetweenReports = 8;
 
 /// Spread values over neighboring vertices. The sum of the values does not change.
@@ -93,6 +99,14 @@ std::vector<bool> sharpVertices(const Mesh& mesh, const Points& normals)
   return sharp;
 }
 
+std::vector<OverlappingPart> partsOf(const Points& places, const Adjacency& neighbors)
+{
+  const Index size = places.rows();
+  return size > MaximumKept ? overlappingParts(places, neighbors, CoreOfMany, OverlapOfMany)
+                            : overlappingParts(places, neighbors,
+                                size > MaximumWhole ? CoreOfKept : MaximumWhole, OverlapOfKept);
+}
+
 struct Solution
 {
   Eigen::VectorXd Displacements; // u
@@ -112,9 +126,8 @@ public:
     , Count(count)
     , Energy(energy)
     , Places(places)
-    , Parts(overlappingParts(places, neighbors,
-        places.rows() > MaximumWhole ? MaximumCore : MaximumWhole, RingsOfOverlap))
-    , WholeEnergy(this->isWhole() ? energy.matrix() : SparseMatrix())
+    , Parts(partsOf(places, neighbors))
+    , KeptEnergy(this->keepsEnergy() ? energy.matrix() : SparseMatrix())
   {
   }
 
@@ -146,7 +159,7 @@ public:
     columns << this->Distances.Right, this->Energy.Force, this->Distances.Probes.col(0),
       this->Energy.Probes.col(0);
     double center = FirstWeight * this->Distances.Matrix.diagonal().sum() /
-      (this->isWhole() ? this->WholeEnergy.diagonal().sum() : this->Energy.trace());
+      (this->keepsEnergy() ? this->KeptEnergy.diagonal().sum() : this->Energy.trace());
     for (int ladder = 1;; ++ladder)
     {
       const Run own = run.part(1.0 - std::pow(0.5, ladder - 1), 1.0 - std::pow(0.5, ladder));
@@ -271,11 +284,14 @@ private:
   }
 
   bool isWhole() const { return this->Parts.size() == 1; }
+  bool keepsEnergy() const { return this->Places.rows() <= MaximumKept; }
 
   MultifrontalCholesky factorizeAt(const OverlappingPart& part, double weight, const Run& run) const
   {
     SparseMatrix matrix = part.principalPart(this->Distances.Matrix) +
-      weight * (this->isWhole() ? this->WholeEnergy : this->Energy.principalPart(part.Ids));
+      weight *
+        (this->keepsEnergy() ? part.principalPart(this->KeptEnergy)
+                             : this->Energy.principalPart(part.Ids));
     matrix.diagonal() *= 1.0 + Ridge;
     return factorize(matrix, this->Places(part.Ids, Eigen::all), Rings, run);
   }
@@ -301,7 +317,7 @@ private:
   const CurvatureChange::Energy& Energy;
   const Points& Places;
   const std::vector<OverlappingPart> Parts;
-  const SparseMatrix WholeEnergy; // of a single part; parts of many compute their own
+  const SparseMatrix KeptEnergy; // of all vertices, if they are few enough
 };
 
 class FairFit
