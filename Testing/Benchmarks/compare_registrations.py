@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""vtkSphericalRegistration in figures: the table of Documentation/Correspondence.md.
+"""vtkSphericalRegistration in figures: tables of Documentation/Correspondence.md.
 
     compare_registrations.py FOLDER [--landmarks 0 7 21] [--both] [--space Rotation] ...
 
@@ -7,7 +7,8 @@ FOLDER has closed meshes NAME.off of genus zero, and for each a file NAME.landma
 correspond from file to file. Every pair is registered by some of the landmarks (0: by shape alone); the error is that
 of the others, or of all where all are given: each landmark of the moving surface is looked up where it ends on the
 fixed one's sphere, and the way from there along the fixed surface's edges to the true landmark counts, over the
-square root of the surface's area. PYTHONPATH is that of the build.
+square root of the surface's area. A pair is wrong if its mean error is above 0.25, and reported if Ambiguous is 1.
+PYTHONPATH is that of the build.
 """
 import argparse
 import glob
@@ -145,19 +146,36 @@ def write(surface, path):
         raise OSError(f"{path}: cannot be written")
 
 
-def print_row(name, outcomes):
+TITLES = ("bodies", "space of transforms", "input landmarks", "mean error", "median pair", "worst pair",
+          f"pairs above {FAR:g}", "landmarks below 0.1", "flipped triangles", "wrong pairs reported",
+          "right pairs reported", "CPU seconds per pair")
+
+
+def reported(outcomes):
+    return f"{sum(outcome.is_ambiguous for outcome in outcomes)} of {len(outcomes)}"
+
+
+def row_of(given, count, outcomes, args):
+    """A row of the tables of the guide."""
     means = np.array([outcome.mean for outcome in outcomes])
     judged = np.concatenate([outcome.judged for outcome in outcomes])
-    worst = outcomes[means.argmax()]
-    print(f"{name:<14}{len(outcomes):>6}{means.mean():>9.4f}{np.median(means):>9.4f}{worst.mean:>9.4f} "
-          f"{worst.name:<12}{(means > FAR).mean():>7.1%}{(judged < 0.1).mean():>8.1%}"
-          f"{max(outcome.unmet for outcome in outcomes):>11.1e}{sum(outcome.flips for outcome in outcomes):>7}"
-          f"{np.mean([outcome.seconds for outcome in outcomes]):>9.2f}", flush=True)
-    for name, group in (("wrong", [outcome for outcome in outcomes if outcome.mean > FAR]),
-                        ("right", [outcome for outcome in outcomes if outcome.mean <= FAR])):
-        ambiguous = [outcome for outcome in group if outcome.is_ambiguous]
-        print(f"  {name}: {len(group)}, ambiguous {len(ambiguous)}, second result better in "
-              f"{sum(outcome.second < outcome.mean for outcome in ambiguous)}", flush=True)
+    landmarks = "none" if not given else f"all {count}" if len(given) == count else f"{len(given)} of {count}"
+    return (os.path.basename(os.path.normpath(args.folder)), args.space, landmarks, f"{means.mean():.3f}",
+            f"{np.median(means):.3f}", f"{means.max():.3f}", str((means > FAR).sum()),
+            f"{100.0 * (judged < 0.1).mean():.0f} %", str(sum(outcome.flips for outcome in outcomes)),
+            reported([outcome for outcome in outcomes if outcome.mean > FAR]),
+            reported([outcome for outcome in outcomes if outcome.mean <= FAR]),
+            f"{np.mean([outcome.seconds for outcome in outcomes]):.1f}")
+
+
+def print_details(name, outcomes):
+    """What the table does not contain."""
+    worst = max(outcomes, key=lambda outcome: outcome.mean)
+    wrong = [outcome for outcome in outcomes if outcome.mean > FAR and outcome.is_ambiguous]
+    print(f"{name}: {len(outcomes)} pairs, mean {np.mean([outcome.mean for outcome in outcomes]):.4f}, worst pair "
+          f"{worst.name}, largest landmark error {max(outcome.unmet for outcome in outcomes):.1e}; second result "
+          f"better in {sum(outcome.second < outcome.mean for outcome in wrong)} of {len(wrong)} wrong pairs that are "
+          "reported", flush=True)
 
 
 def setting(text):
@@ -204,12 +222,11 @@ def main():
     print(f"{len(models)} models, maps with AreaBalance {args.balance:g}: "
           f"{np.mean([model.seconds for model in models]):.2f} CPU seconds each; space {args.space}"
           + "".join(f", {name} {value:g}" for name, value in args.settings))
-    print(f"{'landmarks':<14}{'pairs':>6}{'mean':>9}{'median':>9}{'worst':>9} {'pair':<12}"
-          f"{f'> {FAR:g}':>7}{'lm < .1':>8}{'lm error':>11}{'flips':>7}{'CPU s':>9}")
     rows = [sorted({i * all_of_them // number for i in range(number)} if number else ()) for number in args.landmarks]
     unjudged = {i for given in args.given or () for i in given}
     if unjudged and not 0 <= min(unjudged) <= max(unjudged) < all_of_them:
         raise ValueError(f"--given: expected indices from 0 to {all_of_them - 1}")
+    table = [TITLES, ["---"] * len(TITLES)]
     for given in rows + (args.given or []):
         outcomes = []
         for pair in (itertools.permutations if args.both else itertools.combinations)(models, 2):
@@ -220,10 +237,14 @@ def main():
                       f"{last.stretch:.3f}, landmark error {last.unmet:.1e}, flips {last.flips}, "
                       f"ambiguous {int(last.is_ambiguous)}, second {last.second:.4f}, "
                       f"{last.seconds:.2f} CPU s", flush=True)
-        print_row(f"{len(given)} of {all_of_them}", outcomes)
+        print_details(f"{len(given)} of {all_of_them}", outcomes)
+        table.append(row_of(given, all_of_them, outcomes, args))
         if args.each:
             means = np.mean([outcome.errors for outcome in outcomes], axis=0)
             print("  " + "  ".join(f"{i}{'*' if i in given else ''}: {error:.3f}" for i, error in enumerate(means)))
+    print()
+    for row in table:
+        print("| " + " | ".join(row) + " |")
 
 
 if __name__ == "__main__":

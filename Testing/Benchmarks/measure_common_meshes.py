@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Common meshes of mapped surfaces in figures: the tables of Documentation/Correspondence.md.
 
-    measure_common_meshes.py [--balance B] [--points N] MESH ...
+    measure_common_meshes.py [--balance B] [--points N] [--means] MESH ...
 
 For each closed mesh, a morph with itself on N points. With landmark files (MESH with the ending .landmarks) beside all
 meshes, also their common mesh, their linear mean and their rigid mean; all areas are scaled to 1. Columns: folded,
@@ -115,17 +115,18 @@ def print_itself(name, surface, points):
     print_row(name + ", with itself", morph.GetOutput(), seconds)
 
 
-def print_mean(surfaces, points):
+def print_mean(surfaces, points, means_only):
     template, remesh = vtkSphericalTemplate(), vtkConsistentRemesh()
     for surface in surfaces:
         template.AddInputDataObject(surface)
     template.SetLandmarkArrayName("Landmarks")
     seconds = run(template)
-    print_row("template", template.GetMeanSurface(), seconds)
+    if not means_only:
+        print_row("template", template.GetMeanSurface(), seconds)
     remesh.SetInputConnection(template.GetOutputPort())
     remesh.SetNumberOfPoints(points)
     seconds = run(remesh)
-    for i in range(remesh.GetOutput().GetNumberOfBlocks()):
+    for i in range(0 if means_only else remesh.GetOutput().GetNumberOfBlocks()):
         print_row(f"block {i}", remesh.GetOutput().GetBlock(i))
     print_row("linear mean", remesh.GetMeanShape(), seconds)
     remesh.SetMeanTypeToRigid()
@@ -137,14 +138,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--balance", type=float, default=0.5, help="AreaBalance of the maps, default 0.5")
     parser.add_argument("--points", type=int, default=20000, help="points of the common meshes, default 20,000")
+    parser.add_argument("--means", action="store_true", help="print only rows of linear and rigid mean")
     parser.add_argument("meshes", nargs="+", metavar="MESH")
     args = parser.parse_args()
     print("| surface | points | folded | crossing | area | angle | seconds |\n|---|---|---|---|---|---|---|")
     surfaces = [mapped(path, args.balance) for path in args.meshes]
-    for path, surface in zip(args.meshes, surfaces):
+    for path, surface in () if args.means else zip(args.meshes, surfaces):
         print_itself(os.path.splitext(os.path.basename(path))[0], surface, args.points)
     if len(surfaces) > 1 and all(surface.GetPointData().HasArray("Landmarks") for surface in surfaces):
-        print_mean(surfaces, args.points)
+        print_mean(surfaces, args.points, args.means)
 
 
 if __name__ == "__main__":

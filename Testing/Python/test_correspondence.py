@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from types import SimpleNamespace
 import zlib
 
 import numpy as np
@@ -301,17 +302,20 @@ class TestCompareRegistrations(unittest.TestCase):
         run = self.run_script(self.folder, "--landmarks", "2", "6", "--both", "--each", "--set", "Frequency=8")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         lines = run.stdout.splitlines()
-        # Each row is followed by lines about wrong and right pairs, and by the errors of landmarks.
-        rows = [number for number, line in enumerate(lines) if " of 6 " in line]
-        self.assertEqual(len(rows), 2)
-        for line, row in zip((lines[number] for number in rows), ("2 of 6", "6 of 6")):
-            self.assertTrue(line.startswith(row))
-            pairs, mean, median, worst = line[14:].split()[:4]
-            self.assertEqual(pairs, "2")
-            self.assertLess(max(float(mean), float(median), float(worst)), 5e-3)
-            self.assertEqual(line.split()[-2], "0")  # flips
-        self.assertTrue(any("0*: " in line for line in lines[rows[0]:rows[1]]))
-        self.assertTrue(any(" 1: " in line for line in lines[rows[0]:rows[1]]))
+        rows = [line.strip("| ").split(" | ") for line in lines if line.startswith("| ")][2:]
+        self.assertEqual([row[2] for row in rows], ["2 of 6", "all 6"])
+        for row in rows:
+            self.assertLess(max(float(number) for number in row[3:6]), 5e-3)
+            self.assertEqual(row[6:10], ["0", "100 %", "0", "0 of 0"])
+        self.assertTrue(any("0*: " in line for line in lines))
+        self.assertTrue(any(" 1: " in line for line in lines))
+
+    def test_a_row_counts_reported_pairs_among_wrong_and_right_ones(self):
+        outcomes = [SimpleNamespace(mean=mean, judged=np.array([mean]), is_ambiguous=reported, flips=1, seconds=2.0)
+                    for mean, reported in ((0.05, False), (0.2, True), (0.05, False), (0.3, True), (0.4, False))]
+        row = compare_registrations.row_of([0, 1], 5, outcomes, SimpleNamespace(folder="heads/", space="Rotation"))
+        self.assertEqual(row, ("heads", "Rotation", "2 of 5", "0.200", "0.200", "0.400", "2", "40 %", "5", "1 of 2",
+                               "1 of 3", "2.0"))
 
     def test_curvature_alone_finds_most_of_a_warp(self):
         run = self.run_script(os.path.join(self.folder, "straight.off"), "--frequency", "8", "--copy", "10",
