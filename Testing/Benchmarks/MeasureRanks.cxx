@@ -5,7 +5,8 @@
 //
 // The file is made where there is none. Memory is the process's peak, over what it has before it
 // reads. Threads are those of VTK_SMP_MAX_THREADS. A third argument is the frequency of the
-// network, a fourth how many patterns a pass takes for each neuron.
+// network. Bytes sent are those that the process hands over to MPI in sums over all ranks and in
+// messages; how MPI carries them is its own affair.
 #include "BenchmarkFixtures.h"
 
 #include "vtkCommunicator.h"
@@ -18,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <mpi.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -27,6 +29,38 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+namespace
+{
+struct Traffic
+{
+  long Sums = 0;
+  double Bytes = 0.0;
+
+  void add(int count, MPI_Datatype type)
+  {
+    int size = 0;
+    MPI_Type_size(type, &size);
+    this->Bytes += double(count) * size;
+  }
+} Sent;
+}
+
+// MPI's interface for profilers: these take the place of the library's functions, and call them.
+extern "C" int MPI_Allreduce(const void* values, void* sums, int count, MPI_Datatype type,
+  MPI_Op operation, MPI_Comm communicator)
+{
+  ++Sent.Sums;
+  Sent.add(count, type);
+  return PMPI_Allreduce(values, sums, count, type, operation, communicator);
+}
+
+extern "C" int MPI_Send(
+  const void* values, int count, MPI_Datatype type, int to, int tag, MPI_Comm communicator)
+{
+  Sent.add(count, type);
+  return PMPI_Send(values, count, type, to, tag, communicator);
+}
 
 namespace
 {
@@ -120,6 +154,7 @@ int main(int argc, char* argv[])
           static_cast<long long>(reader->GetOutput()->GetNumberOfPoints()), read.Wall - before.Wall,
           read.User - before.User, learned.Wall - read.Wall, learned.User - read.User,
           learned.PeakMiB - before.PeakMiB, read.PeakMiB - before.PeakMiB);
+        std::printf(", sent %.1f MB in %ld sums", 1e-6 * Sent.Bytes, Sent.Sums);
         if (rank == 0)
         {
           std::printf(", mesh %016lx", Checksum(network->GetOutput()));

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """Measure error over processor time for many points: ConformalSOM beside Poisson reconstruction. Prints a table.
 
-    pip install open3d
+    pip install open3d pymeshlab
     PYTHONPATH=build/dev/python:Examples/Python python3 Testing/Benchmarks/measure_scale.py --scans FOLDER \\
-      [--points 100000,1000000] [--picture scale.png]
+      [--points 100000,1000000] [--methods ConformalSOM,pymeshlab] [--picture scale.png]
 
 Points are random positions on the triangles of an object, without noise. Errors are measured to the triangles, which
 no method gets. Open3D's Poisson reconstruction gets the exact normals ("true"), or estimates normals ("own").
-ConformalSOM gets no normals. Each method runs in a process of its own. Without Open3D, its rows are left out.
+pymeshlab's screened Poisson reconstruction gets the exact normals, and runs on one thread, since threads that wait
+would count as time of the processor. ConformalSOM gets no normals. Each method runs in a process of its own. Rows of a
+package that is not installed are left out.
 
     CPU s       seconds of the processor, on all threads, without imports
     MB          growth of the process's memory
@@ -34,7 +36,8 @@ import reconstruction_methods as methods
 from compare_smoothing import surface_of
 from separate_process import measured, missing, print_header, print_row, rounded
 
-COLORS = {"ConformalSOM": (30, 90, 200), "Open3D, true": (200, 90, 20), "Open3D, own": (120, 120, 120)}
+COLORS = {"ConformalSOM": (30, 90, 200), "Open3D, true": (200, 90, 20), "Open3D, own": (120, 120, 120),
+          "pymeshlab, true": (30, 140, 60)}
 
 
 def runs(neurons, depths):
@@ -44,6 +47,8 @@ def runs(neurons, depths):
     for given in (True, False):
         for depth in depths:
             yield f"Open3D, {'true' if given else 'own'}", "open3d", methods.open3d_poisson, depth, given
+    for depth in depths:
+        yield "pymeshlab, true", "pymeshlab", methods.pymeshlab_poisson, depth, True
 
 
 def errors(surface, mesh):
@@ -66,7 +71,7 @@ def measure(options):
         thing = known_objects.Scan(mesh, count)
         normals = thing.facets[thing.ids]
         for name, library, function, argument, given in runs(options.neurons, options.depths):
-            if missing([library]) or (not given and library == "open3d" and count > options.most):
+            if library not in options.methods or missing([library]) or (not given and library == "open3d" and count > options.most):
                 continue
             try:
                 surface, seconds, memory = measured(library, function, thing.points, normals if given else None, argument)
@@ -130,6 +135,8 @@ def main():
     parser.add_argument("--depths", type=numbers, default=[8, 9, 10], help="of Poisson's octree, default 8,9,10")
     parser.add_argument("--most", type=int, default=100000,
                         help="Open3D estimates normals of at most so many points, default %(default)s")
+    parser.add_argument("--methods", type=lambda text: text.lower().split(","),
+                        default=["conformalsom", "open3d", "pymeshlab"], help="packages, default all")
     parser.add_argument("--picture", metavar="FILE")
     options = parser.parse_args()
     rows = measure(options)

@@ -75,6 +75,12 @@ def pymeshlab_filter(points, normals, name, options):
     return meshes.current_mesh().vertex_matrix(), meshes.current_mesh().face_matrix()
 
 
+def pymeshlab_poisson(points, normals, depth):
+    """On one thread: threads that wait would count as time of the processor."""
+    return pymeshlab_filter(points, normals, "generate_surface_reconstruction_screened_poisson",
+                            {"depth": depth, "threads": 1})
+
+
 def methods(depths):
     """Name, library, function, further arguments, and whether the method has normals, of each method."""
     yield "ConformalSOM, learn", "conformalsom", learned, (), False
@@ -82,9 +88,8 @@ def methods(depths):
     for depth in depths:
         yield f"Open3D, Poisson, depth {depth}", "open3d", open3d_poisson, (depth,), True
     yield "Open3D, ball pivoting", "open3d", open3d_ball_pivoting, (), True
-    for depth in depths:  # on one thread: threads that wait would count as time of the processor
-        yield (f"pymeshlab, Poisson, depth {depth}", "pymeshlab", pymeshlab_filter,
-               ("generate_surface_reconstruction_screened_poisson", {"depth": depth, "threads": 1}), True)
+    for depth in depths:
+        yield f"pymeshlab, Poisson, depth {depth}", "pymeshlab", pymeshlab_poisson, (depth,), True
     for title, name in (("RIMLS", "generate_marching_cubes_rimls"), ("APSS", "generate_marching_cubes_apss")):
         yield f"pymeshlab, {title}", "pymeshlab", pymeshlab_filter, (name, {}), True
     yield ("pymeshlab, ball pivoting", "pymeshlab", pymeshlab_filter,

@@ -35,6 +35,22 @@ double turnInPixels(const MapImage& image)
   return (isInDegrees ? 180.0 : Pi) / image.halfSize()[0] * double(image.Grid.Width);
 }
 
+// How many times the triangles of a map cover the sphere, at least once and without the fraction.
+double timesCovered(const MappedMesh& body)
+{
+  constexpr double rounding = 1e-9;
+  double solidAngle = 0.0;
+  for (Index r = 0; r < body.Triangles.rows(); ++r)
+  {
+    const Vector3 a = body.SpherePositions.row(body.Triangles(r, 0)),
+                  b = body.SpherePositions.row(body.Triangles(r, 1)),
+                  c = body.SpherePositions.row(body.Triangles(r, 2));
+    const double volume = (b - a).cross(c - a).dot(a);
+    solidAngle += 2.0 * std::atan2(std::abs(volume), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
+  }
+  return std::max(1.0, std::floor(solidAngle / (4.0 * Pi) + rounding));
+}
+
 int windingNumber(const std::vector<Vector2>& polygon, const Vector2& x)
 {
   int number = 0;
@@ -211,7 +227,8 @@ MapParts::MapParts(const MappedMesh& body, const MapImage& image, const Run& run
   Steps steps(run, { 0.7, 0.3 }); // division, tree
   const double middle = 0.5 * double(image.Grid.Height);
   this->Period = hasAllLongitudes(image, middle) ? turnInPixels(image) : 0.0;
-  const Division division = { body, image, pictureUnit(image), this->Period };
+  // Where n triangles cover each place, parts are n times as large, so that their number is not.
+  const Division division = { body, image, timesCovered(body) * pictureUnit(image), this->Period };
   constexpr Index blockSize = 64;
   const Index size = body.Triangles.rows(), blocks = (size + blockSize - 1) / blockSize;
   std::vector<std::vector<Part>> ofBlocks(blocks);

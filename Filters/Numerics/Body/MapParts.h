@@ -31,7 +31,9 @@ public:
 
   /// Divide the triangles. A part is small enough if the middles of its sides are within a
   /// twentieth of pictureUnit() of the middles in the image. Parts at seams are divided until they
-  /// are smaller than a sixteenth of this unit, and count where their middles are.
+  /// are smaller than a sixteenth of this unit, and count where their middles are. If the map
+  /// covers the sphere n times, as that of a soup of triangles, the unit is n times as large. The
+  /// number of parts is then no larger than for a map that covers the sphere once.
   MapParts(const MappedMesh& body, const MapImage& image, const Run& run = {});
 
   /// Compute the area of the body inside of a polygon. A part around which the polygon winds twice

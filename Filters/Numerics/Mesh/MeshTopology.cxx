@@ -10,10 +10,13 @@ namespace conformal
 {
 namespace
 {
-/// Find the triangle that contains a directed edge, or -1.
+/// Find the triangle that contains a directed edge, or -1. The search is around the vertex with
+/// fewer triangles: a vertex of n triangles has n edges, and would need n^2 steps.
 int triangleWithEdge(const Triangles& triangles, const Adjacency& around, int from, int to)
 {
-  for (const int* r = around.begin(from); r != around.end(from); ++r)
+  const auto valence = [&](int v) { return around.end(v) - around.begin(v); };
+  const int center = valence(to) < valence(from) ? to : from;
+  for (const int* r = around.begin(center); r != around.end(center); ++r)
   {
     const auto ids = triangles.row(*r);
     if ((ids[0] == from && ids[1] == to) || (ids[1] == from && ids[2] == to) ||

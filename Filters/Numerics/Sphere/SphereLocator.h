@@ -34,8 +34,9 @@ struct SphereLocation
 /// vertex, the test may fail for all triangles, because of rounding. In this case, the triangle
 /// that misses the direction by the smallest amount is returned.
 ///
-/// The cost of a query is about logarithmic in the number of triangles. Several threads may query
-/// concurrently.
+/// The cost of a query is about logarithmic in the number of triangles, also among the long and
+/// narrow triangles around a vertex that many triangles share: boxes of such triangles overlap, but
+/// slabs between two planes through them do not. Several threads may query concurrently.
 class SphereLocator
 {
 public:
@@ -63,16 +64,28 @@ private:
     int Across[3] = { -1, -1, -1 };
     bool Ascending[3] = {}; // whether each edge k starts at its vertex with the lower id
   };
+  // Space between two parallel planes that contains a node's directions.
+  struct Slab
+  {
+    Vector3 Normal = Vector3::Zero();
+    double Lower = 0.0, Upper = 0.0;
+  };
   static double side(const Corners& corners, int opposite, const Vector3& direction);
   static Vector3 sidesOf(const Corners& corners, const Vector3& direction);
   int walk(int place, const Vector3& direction, Vector3& sides) const;
   int search(const Vector3& direction, Vector3& sides) const;
-  template <typename Visit>
-  void visitNear(const Vector3& direction, Visit visit) const;
+  template <typename Wanted, typename Visit>
+  void visitNear(const Vector3& direction, Wanted wanted, Visit visit) const;
+  void orderNodes();
+  void addSlab(int node, int first, int end, const Vector3& normal);
+  bool isInSlab(int node, const Vector3& direction) const;
 
   BoxTree Tree;                // search tree; Tree.Items are triangle ids, sorted by position
   std::vector<Corners> Placed; // corners of the triangles in Tree.Items
   std::vector<int> PlaceOf;    // index in Tree.Items of each triangle
+  std::vector<int> LowestOf;   // lowest id of a triangle in each node
+  std::vector<int> SlabOf;     // index in Slabs for each node, or -1: few nodes are narrow
+  std::vector<Slab> Slabs;
 };
 }
 
