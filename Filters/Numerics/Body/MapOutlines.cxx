@@ -83,7 +83,7 @@ private:
 
   void divide(Side& side, double from, const Shown& a, double to, const Shown& b, int level) const
   {
-    constexpr int shallow = 24, deepest = 44;
+    constexpr int fine = 6, shallow = 24, deepest = 44;
     constexpr double straight = 1e-3, tiny = 1e-9, gap = 1e-6;
     if (a.Triangle < 0 || b.Triangle < 0)
     {
@@ -97,13 +97,17 @@ private:
     const Shown between = this->at(side.From + middle * (side.To - side.From), a.Triangle);
     const bool isInOne = a.Triangle == b.Triangle && between.Triangle == a.Triangle;
     const double sag = (between.Position - 0.5 * (a.Position + b.Position)).norm();
+    // Along an edge, rounding chooses either triangle. Small pieces that are straight are therefore
+    // accepted, whatever their triangles are. A gap of the surface is not straight.
+    const bool isStraight = sag <= straight * chord;
+    const bool isInside = isInOne || (isStraight && level >= fine);
     if (between.Triangle >= 0 &&
       (chord <= tiny * this->Size || level == deepest ||
-        (isInOne && (sag <= straight * chord || level >= shallow))))
+        (isInside && (isStraight || level >= shallow))))
     {
-      side.IsWhole = chord <= gap * this->Size || isInOne;
+      side.IsWhole = chord <= gap * this->Size || isInside;
       // Pieces across an edge have no length; the next piece begins where they do.
-      if (isInOne || to == 1.0)
+      if (isInside || to == 1.0)
       {
         side.Points.push_back(b.Position);
       }

@@ -17,10 +17,11 @@ namespace conformal
 namespace
 {
 constexpr double SmallestArea = 25.0; // squares of the spacing; chance leaves smaller gaps
+constexpr double LargestArea = 0.22;  // of the surface; larger parts are sides that nobody saw
 // Root mean square distance of the border from the plane: in spacings, and of its shorter width.
 constexpr double OffPlane = 1.0, OffPlaneOfWidth = 0.05;
 constexpr double BeyondPlane = 2.0, FewBeyond = 5e-4; // spacings, and fraction of the samples
-constexpr double Steep = 0.5;                         // cosine of the angle with the plane
+constexpr double Steep = 0.17;                        // cosine of the angle with the plane
 constexpr double LevelQuantile = 0.8;                 // of the heights of samples at the border
 // Rings of vertices around the border: the sides begin where the surface is not rounded any more.
 constexpr int FirstOfSides = 2, LastOfSides = 4, Rounded = 2;
@@ -185,8 +186,9 @@ private:
   {
     const std::vector<int>& border = base.Rings.front();
     Vector3 outward;
-    if (border.empty() ||
-      this->areaOf(base.Vertices, outward) < SmallestArea * this->Spacing * this->Spacing ||
+    const double area = this->areaOf(base.Vertices, outward);
+    if (border.empty() || area < SmallestArea * this->Spacing * this->Spacing ||
+      area > LargestArea * surfaceArea(this->Positions, this->Triangulation) ||
       !this->isOneLoop(border) || !this->isNearPlane(base))
     {
       return false;

@@ -16,8 +16,9 @@ namespace conformal
 /// samples. It is flat if the following conditions hold:
 /// - Its border is one loop, and near a plane.
 /// - No samples are beyond this plane, as if the object stood on it.
-/// - The surface around it forms an angle of at least 60 degrees with the plane. The bottom of a
-///   ball, for example, is not flat.
+/// - The surface around it forms an angle of at least 80 degrees with the plane. The bottom of a
+///   ball or the missing end of an ellipsoid, for example, is not flat.
+/// - It is at most 22 % of the surface. A larger part is a side that no scanner saw.
 ///
 /// The plane is moved to the outermost samples near the border, or beyond them. Vertices are
 /// distributed evenly on the plane. A base stays as it is if this would turn triangles over.
