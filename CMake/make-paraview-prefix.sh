@@ -34,8 +34,9 @@ mkdir -p "$prefix/bin" "$prefix/include" "$prefix/$libraries/cmake" "$prefix/$li
 cp --recursive /usr/"$libraries"/cmake/paraview-* "$prefix/$libraries/cmake"
 ln -s /usr/include/paraview-* "$prefix/include"
 ln -s /usr/"$libraries"/paraview-* "$prefix/$libraries"
-ln -s "$prefix/python3-paraview/usr/$libraries/vtk/hierarchy/ParaView" \
-  "$prefix/$libraries/vtk/hierarchy"
+hierarchy=$prefix/python3-paraview/usr/$libraries/vtk/hierarchy/ParaView
+[ -e "$hierarchy" ] || hierarchy=/usr/$libraries/vtk/hierarchy/ParaView # since ParaView 6
+ln -s "$hierarchy" "$prefix/$libraries/vtk/hierarchy"
 ln -s "$prefix/python3-paraview/usr/lib/python3" "$prefix/lib"
 dpkg --listfiles paraview paraview-dev | sort --unique |
   grep --extended-regexp "^/usr/($libraries/[^/]+\.(so|a)(\..*)?|bin/.+)$" |
