@@ -12,7 +12,7 @@ install()
 {
   bash CMake/install-packages.sh cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy \
     libeigen3-dev libexpat1-dev zlib1g-dev libmeshoptimizer-dev libgtest-dev libbenchmark-dev libboost-dev \
-    assimp-utils connectome-workbench gdal-bin python3-gdal python3-markdown mypy libjs-three chromium f3d \
+    assimp-utils connectome-workbench gdal-bin python3-gdal python3-markdown mypy libjs-three chromium f3d man-db mandoc \
     xvfb xauth libgl1-mesa-dri openmpi-bin "$@"
   if apt-cache show python3-pyvista >/dev/null 2>&1; then # Debian has it since 13
     bash CMake/install-packages.sh python3-pyvista

@@ -1,15 +1,47 @@
 # Packages of Debian by CPack: libconformalsom, -dev, python3-conformalsom, paraview-conformalsom, and
 # the archive of the sources. The plugin comes from a build of its own, against ParaView's VTK;
-# CMake/make-packages.sh makes both builds, and all packages out of the second.
-set(packages_dir "${CMAKE_CURRENT_LIST_DIR}")
+# CMake/make-packages.sh makes both builds, and all packages out of the second. What is said of the packages
+# is taken from debian/control.in, of which CMake/make-source-package.sh makes the source package.
+set(packages_dir "${CMAKE_CURRENT_LIST_DIR}/debian")
+
+# debian_field(<component> <package> <field> [<more>...]): sets CPack's field of a component to that of the package
+# in control.in, without what debhelper would replace, and with more before it
+function (debian_field component package field)
+  file(READ "${packages_dir}/control.in" control)
+  string(REPLACE "${version_suffix}" "@version_suffix@" package "${package}")
+  string(FIND "${control}" "\nPackage: ${package}\n" begin)
+  if (begin EQUAL -1)
+    message(FATAL_ERROR "control.in has no package ${package}")
+  endif ()
+  string(SUBSTRING "${control}" ${begin} -1 control)
+  string(REGEX REPLACE "\n\n.*" "" control "${control}\n\n")
+  string(REGEX MATCH "\n${field}: *([^\n]*(\n [^\n]*)*)" found "${control}\n")
+  set(value "${CMAKE_MATCH_1}")
+  string(TOUPPER "${field}" name)
+  if (field STREQUAL "Description") # its first line is that of all packages
+    string(FIND "${value}" "\n " begin)
+    string(SUBSTRING "${value}" ${begin} -1 value)
+    string(REGEX REPLACE "^\n " "" value "${value}")
+    string(REPLACE "\n " "\n" value "${value}")
+    set(CPACK_COMPONENT_${component}_DESCRIPTION "${value}" PARENT_SCOPE)
+    return ()
+  endif ()
+  string(REGEX REPLACE "[ \n]*,[ \n]*" ";" value "${value}")
+  list(FILTER value EXCLUDE REGEX "[$]{|@version_suffix@|conformalsom|^[ \n]*$")
+  list(TRANSFORM value STRIP)
+  set(value ${ARGN} ${value})
+  list(JOIN value ", " value)
+  set(CPACK_DEBIAN_${component}_PACKAGE_${name} "${value}" PARENT_SCOPE)
+endfunction ()
 
 # debian_documents(<component> <package>): what the policy wants below /usr/share/doc
 function (debian_documents component package)
   install(FILES "${packages_dir}/copyright" "${PROJECT_BINARY_DIR}/changelog.Debian.gz"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${package}"
     COMPONENT ${component})
-  if (EXISTS "${packages_dir}/${package}.lintian-overrides")
-    install(FILES "${packages_dir}/${package}.lintian-overrides"
+  string(REPLACE "${version_suffix}" "" unversioned "${package}")
+  if (EXISTS "${packages_dir}/${unversioned}.lintian-overrides")
+    install(FILES "${packages_dir}/${unversioned}.lintian-overrides"
       DESTINATION "${CMAKE_INSTALL_DATADIR}/lintian/overrides"
       RENAME "${package}"
       COMPONENT ${component})
@@ -54,13 +86,6 @@ set(library_package "libconformalsom${version_suffix}")
 debian_documents(runtime "${library_package}")
 debian_documents(development libconformalsom-dev)
 debian_documents(python python3-conformalsom)
-execute_process(
-  COMMAND "${CONFORMALSOM_GZIP}" --best --no-name --stdout conformalsom.1
-  WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}/Wrapping/Python"
-  OUTPUT_FILE "${PROJECT_BINARY_DIR}/conformalsom.1.gz")
-install(FILES "${PROJECT_BINARY_DIR}/conformalsom.1.gz"
-  DESTINATION "${CMAKE_INSTALL_MANDIR}/man1"
-  COMPONENT python)
 
 set(CPACK_PACKAGE_NAME conformalsom)
 set(CPACK_PACKAGE_CONTACT "${CONFORMALSOM_MAINTAINER}")
@@ -69,6 +94,7 @@ set(CPACK_PACKAGE_DIRECTORY "${PROJECT_BINARY_DIR}/packages")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS "${CMAKE_CURRENT_LIST_DIR}/CompressManual.cmake")
 set(CPACK_GENERATOR DEB)
 
 set(CPACK_COMPONENTS_ALL runtime development python)
@@ -92,12 +118,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${private_folders}")
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 
-set(about "ConformalSOM learns a closed, smooth surface with a one-to-one map to the
-sphere from the points of a scan, by conformal self-organizing maps, so that
-pictures and measurements can be carried over between surfaces.")
-
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME "${library_package}")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+debian_field(RUNTIME "${library_package}" Section)
 set(shlibs)
 foreach (module IN LISTS modules)
   string(REPLACE "ConformalSOM::" "libvtk" library "${module}")
@@ -105,34 +127,30 @@ foreach (module IN LISTS modules)
     "${library}-${version_suffix} ${version_suffix} ${library_package} (>= ${PROJECT_VERSION})\n")
 endforeach ()
 file(WRITE "${PROJECT_BINARY_DIR}/shlibs" "${shlibs}")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/shlibs" "${packages_dir}/triggers")
-set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
-  "${about}\n.\nThis package has the filters, readers and writers as libraries for VTK.")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/shlibs" "${CMAKE_CURRENT_LIST_DIR}/triggers")
+debian_field(RUNTIME "${library_package}" Description)
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libconformalsom-dev)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS libvtk9-dev)
+debian_field(DEVELOPMENT libconformalsom-dev Section)
+debian_field(DEVELOPMENT libconformalsom-dev Depends)
 set(CPACK_COMPONENT_DEVELOPMENT_DEPENDS runtime python) # the exported targets name both
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-  "${about}\n.\nThis package has the headers, and the files by which CMake finds the\nlibraries.")
+debian_field(DEVELOPMENT libconformalsom-dev Description)
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-conformalsom)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+debian_field(PYTHON python3-conformalsom Section)
 if (CONFORMALSOM_WRAP_PYTHON)
   math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-vtk9, python3-numpy")
+  debian_field(PYTHON python3-conformalsom Depends
+    "python3 (>= 3.${Python3_VERSION_MINOR})" "python3 (<< 3.${next_minor})")
 endif ()
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "libjs-three, python3-gdal") # for pages and maps
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-pyvista) # for conformalsom.pyvista
+debian_field(PYTHON python3-conformalsom Recommends) # for pages and maps
+debian_field(PYTHON python3-conformalsom Suggests) # for conformalsom.pyvista
 set(CPACK_COMPONENT_PYTHON_DEPENDS runtime)
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-  "${about}\n.\nThis package has the Python package conformalsom, for use with vtkmodules.")
+debian_field(PYTHON python3-conformalsom Description)
 
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_NAME paraview-conformalsom)
 set(CPACK_DEBIAN_PLUGIN_PACKAGE_DEPENDS paraview)
-set(CPACK_COMPONENT_PLUGIN_DESCRIPTION
-  "${about}\n.\nThis package has the filters, readers and writers as a plugin that\nParaView, pvserver and pvbatch load when they start.")
+debian_field(PLUGIN paraview-conformalsom Description)
 
 ## The archive of the sources ----------------------------------------------------------
 set(CPACK_SOURCE_GENERATOR TGZ)

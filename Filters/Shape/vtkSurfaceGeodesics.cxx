@@ -1,5 +1,6 @@
 #include "vtkSurfaceGeodesics.h"
 
+#include "Base/AllColumns.h"
 #include "Base/Steps.h"
 #include "Geodesics/ExactDistances.h"
 #include "Geodesics/GeodesicPath.h"
@@ -81,7 +82,7 @@ public:
       return;
     }
     const conformal::Points positions = glue::ToPoints(picked->GetPoints(), frame);
-    const conformal::Points used = this->Mesh.Positions(this->Used, Eigen::all);
+    const conformal::Points used = this->Mesh.Positions(this->Used, conformal::AllColumns);
     const conformal::PointTree tree(used);
     for (conformal::Index i = 0; i < positions.rows(); ++i)
     {
@@ -132,7 +133,7 @@ public:
   // Add the point that is farthest from the center.
   void AddOuter()
   {
-    const conformal::Points used = this->Mesh.Positions(this->Used, Eigen::all);
+    const conformal::Points used = this->Mesh.Positions(this->Used, conformal::AllColumns);
     const Eigen::RowVector3d center = used.colwise().mean();
     conformal::Index farthest = 0;
     (used.rowwise() - center).rowwise().squaredNorm().maxCoeff(&farthest);

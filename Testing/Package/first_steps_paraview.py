@@ -2,7 +2,7 @@
 from paraview import simple
 
 points = simple.Sphere(ThetaResolution=60, PhiResolution=30)
-mesh = simple.ConformalSOM(Input=points, Frequency=6)
+mesh = simple.ConformalSOM(Input=points, NumberOfNeurons=362)
 surface = simple.CurvedSeamlessSurface(Input=mesh, Frequency=20)
 surface.UpdatePipeline()
 information = surface.GetDataInformation()

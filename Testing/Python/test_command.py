@@ -4,7 +4,6 @@ import filecmp
 import json
 import os
 import pty
-import re
 import shutil
 import signal
 import stat
@@ -440,18 +439,6 @@ class TestCommand(unittest.TestCase):
                     stdout=subprocess.PIPE, stderr=subprocess.PIPE)
                 self.assertEqual(run.returncode, 1, run.stderr)
                 self.assertFalse(os.path.exists(os.path.join(self.folder, "cut" + extension)))
-
-    def test_manual_has_all_options(self):
-        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Wrapping", "Python",
-                               "conformalsom.1"), encoding="ascii") as file:
-            manual = file.read().replace("\\-", "-")
-        told = command(self.folder, "--help").stdout
-        options = re.compile(r"(?<!\w)--[a-z]+")
-        self.assertEqual(set(options.findall(manual)), set(options.findall(told)))
-        examples = [line.strip() for line in told.splitlines() if line.startswith("  conformalsom ")]
-        self.assertEqual(len(examples), 6)
-        for example in examples:
-            self.assertIn(example, manual)
 
     def test_picture_of_the_readme_is_what_the_quickstart_draws(self):
         subprocess.run([sys.executable, toy_bear.__file__, os.path.join(self.folder, "own")], check=True)

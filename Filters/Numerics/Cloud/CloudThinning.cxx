@@ -1,5 +1,6 @@
 #include "Cloud/CloudThinning.h"
 
+#include "Base/AllColumns.h"
 #include "Search/BoxTree.h"
 
 #include <algorithm>
@@ -109,7 +110,7 @@ OrientedPoints without(const OrientedPoints& cloud, const std::vector<std::uint8
     }
   }
   const auto keptRows = [&](const Points& rows)
-  { return rows.rows() > 0 ? Points(rows(kept, Eigen::all)) : rows; };
+  { return rows.rows() > 0 ? Points(rows(kept, AllColumns)) : rows; };
   return { keptRows(cloud.Positions), keptRows(cloud.Normals), keptRows(cloud.ToScanner) };
 }
 

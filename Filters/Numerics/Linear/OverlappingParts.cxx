@@ -1,5 +1,7 @@
 #include "Linear/OverlappingParts.h"
 
+#include "Base/AllColumns.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -43,7 +45,7 @@ void addCores(const Points& places, int* begin, int* end, Index maximumSize,
 //------------------------------------------------------------------------------
 Columns OverlappingPart::rowsOf(const Columns& whole) const
 {
-  return whole(this->Ids, Eigen::all);
+  return whole(this->Ids, AllColumns);
 }
 
 //------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 #include "Geodesics/ExactDistances.h"
 
+#include "Base/AllColumns.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Shapes.h"
 
@@ -162,8 +163,8 @@ TEST(ExactDistances, DoNotDependOnTriangles)
   {
     const Vector3 weights = Vector3(part(random), part(random), part(random));
     const auto ids = mesh.Triangles.row(t);
-    fine.Positions.row(size + t) =
-      weights.transpose() / weights.sum() * mesh.Positions({ ids[0], ids[1], ids[2] }, Eigen::all);
+    fine.Positions.row(size + t) = weights.transpose() / weights.sum() *
+      mesh.Positions({ ids[0], ids[1], ids[2] }, conformal::AllColumns);
     for (int k = 0; k < 3; ++k)
     {
       fine.Triangles.row(3 * t + k) << ids[k], ids[conformal::next(k)], static_cast<int>(size + t);

@@ -1,5 +1,6 @@
 #include "Linear/OverlappingParts.h"
 
+#include "Base/AllColumns.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
 
@@ -48,7 +49,7 @@ protected:
     {
       Columns some = part.rowsOf(right);
       conformal::factorize(
-        part.principalPart(matrix), this->Sphere.Positions(part.Ids, Eigen::all), 1)
+        part.principalPart(matrix), this->Sphere.Positions(part.Ids, conformal::AllColumns), 1)
         .solve(some);
       part.copyCore(some, result);
     }

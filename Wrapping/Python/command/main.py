@@ -78,8 +78,8 @@ class Renamed(argparse.Action):
         parser.error(f"{option_string} is now {self.new}")
 
 
-def arguments(argv):
-    """What the command line says."""
+def make_parser():
+    """The options, of which --help and the manual page are made."""
     parser = argparse.ArgumentParser(
         prog="conformalsom", description=DESCRIPTION, epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -144,6 +144,12 @@ def arguments(argv):
                         help="number of scans to process at a time, with the processors divided among them; default 1")
     parser.add_argument("--version", action="version",
                         version=f"ConformalSOM {conformalsom.__version__}, VTK {vtkVersion.GetVTKVersion()}")
+    return parser
+
+
+def arguments(argv):
+    """What the command line says."""
+    parser = make_parser()
     options = parser.parse_args(argv)
     try:
         return options, plan_of(options)

@@ -40,8 +40,8 @@ def width(text):
     return number
 
 
-def arguments(argv):
-    """What the command line says."""
+def make_parser():
+    """The options, of which --help and the manual page are made."""
     parser = argparse.ArgumentParser(prog="conformalsom map", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("body", metavar="BODY", help="file with a closed surface without handles (.tab, .obj, .ply ...)")
@@ -65,7 +65,12 @@ def arguments(argv):
     parser.add_argument("--picture", metavar="FILE", help="also draw the heights with labels, a legend and a scale; .png "
                         "or .jpg")
     parser.add_argument("--overwrite", action="store_true", help="replace files")
-    return parsed(parser, argv, expect_sense)
+    return parser
+
+
+def arguments(argv):
+    """What the command line says."""
+    return parsed(make_parser(), argv, expect_sense)
 
 
 def expect_sense(options):

@@ -32,8 +32,8 @@ exit status: as that of conformalsom; 1 also if frames were skipped."""
 LARGEST = 1000000
 
 
-def arguments(argv):
-    """What the command line says."""
+def make_parser():
+    """The options, of which --help and the manual page are made."""
     parser = argparse.ArgumentParser(prog="conformalsom movie", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("frames", nargs="+", metavar="FRAME", help="files, in the order of time")
@@ -62,7 +62,12 @@ def arguments(argv):
     parser.add_argument("--page", metavar="FILE", help="page to write, .html: the surface and its map with a slider for time")
     parser.add_argument("--overwrite", action="store_true", help="replace existing files, except inputs")
     parser.set_defaults(report=None, jobs=1)  # of which jobs ask
-    return parsed(parser, argv, expect_sense)
+    return parser
+
+
+def arguments(argv):
+    """What the command line says."""
+    return parsed(make_parser(), argv, expect_sense)
 
 
 def expect_sense(options):

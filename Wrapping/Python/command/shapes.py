@@ -12,7 +12,7 @@ their mean, aligns them, and computes their principal components (modes). All su
 written have the same triangles, and points with equal ids correspond."""
 
 EPILOG = """\
-FOLDER then contains
+files in FOLDER:
   surfaces/   one aligned surface for each scan
   mean.vtp    the mean, with the modes, and with the test of the groups, as point arrays
   modes/      the mean, moved by -2, -1, 1 and 2 standard deviations of each mode
@@ -27,8 +27,8 @@ exit status: as that of conformalsom. After an error, results are not written.""
 FORMATS = [extension for extension in outputs.SURFACES if extension not in (".glb", ".html")]
 
 
-def arguments(argv):
-    """What the command line says."""
+def make_parser():
+    """The options, of which --help and the manual page are made."""
     parser = argparse.ArgumentParser(prog="conformalsom shapes", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("scans", nargs="+", metavar="SCAN", help="file with the points of one object; two or more")
@@ -60,7 +60,12 @@ def arguments(argv):
     parser.add_argument("--jobs", type=positive, default=1, metavar="N",
                         help="number of surfaces to process at a time; default 1")
     parser.set_defaults(report=None)  # of which jobs ask
-    return parsed(parser, argv, expect_sense)
+    return parser
+
+
+def arguments(argv):
+    """What the command line says."""
+    return parsed(make_parser(), argv, expect_sense)
 
 
 def expect_sense(options):

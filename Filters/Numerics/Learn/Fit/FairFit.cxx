@@ -1,5 +1,6 @@
 #include "Learn/Fit/FairFit.h"
 
+#include "Base/AllColumns.h"
 #include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Learn/Fit/SurfaceSupport.h"
@@ -293,7 +294,7 @@ private:
         (this->keepsEnergy() ? part.principalPart(this->KeptEnergy)
                              : this->Energy.principalPart(part.Ids));
     matrix.diagonal() *= 1.0 + Ridge;
-    return factorize(matrix, this->Places(part.Ids, Eigen::all), Rings, run);
+    return factorize(matrix, this->Places(part.Ids, AllColumns), Rings, run);
   }
 
   void evaluate(Solution& solution, double trace) const
