@@ -2,6 +2,7 @@
 
 #include "Base/NumericalFailure.h"
 #include "Linear/ShiftedSystem.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/VertexNormals.h"
@@ -21,7 +22,7 @@ constexpr double LargestArea = 0.22;  // of the surface; larger parts are sides 
 // Root mean square distance of the border from the plane: in spacings, and of its shorter width.
 constexpr double OffPlane = 1.0, OffPlaneOfWidth = 0.05;
 constexpr double BeyondPlane = 2.0, FewBeyond = 5e-4; // spacings, and fraction of the samples
-constexpr double Steep = 0.17;                        // cosine of the angle with the plane
+constexpr double Steep = 0.1;                         // cosine of the angle with the plane
 constexpr double LevelQuantile = 0.8;                 // of the heights of samples at the border
 // Rings of vertices around the border: the sides begin where the surface is not rounded any more.
 constexpr int FirstOfSides = 2, LastOfSides = 4, Rounded = 2;

@@ -16,7 +16,7 @@ namespace conformal
 /// samples. It is flat if the following conditions hold:
 /// - Its border is one loop, and near a plane.
 /// - No samples are beyond this plane, as if the object stood on it.
-/// - The surface around it forms an angle of at least 80 degrees with the plane. The bottom of a
+/// - The surface around it forms an angle of at least 84 degrees with the plane. The bottom of a
 ///   ball or the missing end of an ellipsoid, for example, is not flat.
 /// - It is at most 22 % of the surface. A larger part is a side that no scanner saw.
 ///

@@ -17,7 +17,8 @@ using conformal::Vector3;
 
 namespace
 {
-constexpr double Height = -0.6; // of the base
+constexpr double Height = -1.0; // of the base
+constexpr double Rim = -0.5;    // height on the sphere that becomes the rim
 constexpr double Spacing = 0.03;
 
 // Round column with a round top, at the place of a point of the unit sphere. Its side is vertical
@@ -29,10 +30,9 @@ Vector3 onColumn(const Vector3& x)
   {
     return x;
   }
-  const double side = 0.8 * Height; // height on the sphere that becomes the rim
-  return x[2] > side
-    ? Vector3(x[0] / r, x[1] / r, x[2] / side * Height)
-    : Vector3(x[0] / std::sqrt(1.0 - side * side), x[1] / std::sqrt(1.0 - side * side), Height);
+  const double radius = std::sqrt(1.0 - Rim * Rim);
+  return x[2] > Rim ? Vector3(x[0] / r, x[1] / r, x[2] / Rim * Height)
+                    : Vector3(x[0] / radius, x[1] / radius, Height);
 }
 
 // Column whose base bulges, as a smooth continuation of its side.
@@ -52,7 +52,7 @@ Mesh bulging()
 // Samples of the side and of the top.
 Points samplesOfColumn()
 {
-  Points points = sheets::pointsAbove(0.8 * Height, 8000, 3);
+  Points points = sheets::pointsAbove(Rim, 8000, 3);
   for (Index i = 0; i < points.rows(); ++i)
   {
     points.row(i) = onColumn(points.row(i));
@@ -105,6 +105,20 @@ TEST(FlatBases, TheBottomOfABallStaysRound)
   const Points samples = sheets::pointsAbove(-0.8, 8000, 3);
   EXPECT_EQ(
     flattenBases(samples, below(-0.85, before), Spacing, 0.0, mesh.Positions, mesh.Triangles), 0);
+  EXPECT_EQ(mesh.Positions, before);
+}
+
+// A side that no scanner saw, of more than 22 % of the surface.
+TEST(FlatBases, ALargePartIsNoBase)
+{
+  Mesh mesh = bulging();
+  mesh.Positions.col(2) *= 0.3;
+  const Points before = mesh.Positions;
+  Points samples = samplesOfColumn();
+  samples.col(2) *= 0.3;
+  EXPECT_EQ(flattenBases(samples, below(0.3 * Height - 0.02, before), Spacing, 0.0, mesh.Positions,
+              mesh.Triangles),
+    0);
   EXPECT_EQ(mesh.Positions, before);
 }
 
