@@ -24,8 +24,10 @@ constexpr double OffPlane = 1.0, OffPlaneOfWidth = 0.05;
 constexpr double BeyondPlane = 2.0, FewBeyond = 5e-4; // spacings, and fraction of the samples
 constexpr double Steep = 0.1;                         // cosine of the angle with the plane
 constexpr double LevelQuantile = 0.8;                 // of the heights of samples at the border
-// Rings of vertices around the border: the sides begin where the surface is not rounded any more.
-constexpr int FirstOfSides = 2, LastOfSides = 4, Rounded = 2;
+// Rings of vertices around the border: the sides begin where the surface is not rounded any more,
+// at a distance in spacings.
+constexpr int FirstOfSides = 2, RingsOfSides = 3, Rounded = 2;
+constexpr double DistanceOfSides = 1.5;
 
 // Part of the surface without samples, with the plane of its border.
 struct Base
@@ -37,6 +39,16 @@ struct Base
 
   double height(const Vector3& x) const { return this->Normal.dot(x - this->Center); }
 };
+
+// Triangles of a mesh of equal sides have the area sqrt(3) / 4 of a side's square.
+int firstRingOfSides(const Points& positions, const Triangles& triangles, double spacing)
+{
+  const double area = surfaceArea(positions, triangles) / static_cast<double>(triangles.rows());
+  const double side = std::sqrt(4.0 / std::sqrt(3.0) * area);
+  constexpr double most = 20.0; // rings, of a mesh with very many vertices
+  return std::max(
+    FirstOfSides, static_cast<int>(std::ceil(std::min(most, DistanceOfSides * spacing / side))));
+}
 
 class BaseSearch
 {
@@ -50,6 +62,7 @@ public:
     , Triangulation(triangles)
     , Normals(vertexNormals(positions, triangles))
     , Neighbors(vertexNeighbors(triangles, positions.rows()))
+    , SidesFrom(firstRingOfSides(positions, triangles, spacing))
     , Marks(positions.rows(), 0)
   {
   }
@@ -115,7 +128,7 @@ private:
       reached[vertex] = 1;
     }
     std::vector<int> last = base.Vertices;
-    for (int ring = 0; ring <= LastOfSides; ++ring)
+    for (int ring = 0; ring < this->SidesFrom + RingsOfSides; ++ring)
     {
       std::vector<int> next;
       for (const int vertex : last)
@@ -236,7 +249,7 @@ private:
   bool hasSteepSides(const Base& base) const
   {
     double sum = 0.0, count = 0.0;
-    for (int ring = FirstOfSides; ring <= LastOfSides; ++ring)
+    for (int ring = this->SidesFrom; ring < this->SidesFrom + RingsOfSides; ++ring)
     {
       for (const int vertex : base.Rings[ring])
       {
@@ -280,6 +293,7 @@ private:
   const Triangles& Triangulation;
   const Points Normals;
   const Adjacency Neighbors;
+  const int SidesFrom; // ring
   std::vector<char> Marks;
 };
 
