@@ -30,7 +30,8 @@ GUIDES = [  # in the order of the menu
                  "Documentation/Fit.md", "Documentation/CurvedSeamlessSurface.md",
                  "Documentation/GlobalConformalMap.md", "Documentation/Correspondence.md",
                  "Documentation/SphericalCoordinates.md", "Documentation/Errata.md"]),
-    ("Project", ["CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "Documentation/Roadmap.md"]),
+    ("Project", ["CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "Documentation/Roadmap.md",
+                 "Documentation/Release.md"]),
 ]
 LINK = re.compile(r'(href|src)="([^"]+)"')
 
