@@ -57,8 +57,8 @@ struct SurfaceOutline
 /// the map.
 /// @param[in] body  body with a sphere map whose north pole is (0, 0, 1)
 /// @return one result for each outline
-/// @throws std::invalid_argument if there are no pixels or no triangles, or if a corner is not
-///   finite
+/// @throws std::invalid_argument if there are no pixels or no triangles, or if a corner or a
+///   point of a triangle is not finite
 std::vector<SurfaceOutline> measureMapOutlines(const MappedMesh& body, const MapImage& image,
   const std::vector<MapOutline>& outlines, const Run& run = {});
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 using conformal::Index;
@@ -259,6 +260,13 @@ TEST(MapOutlines, OutlinesThatLeaveTheMapHaveNoMeasures)
   EXPECT_THROW(measured(ball, Degrees, { { 100, 1e9 }, { 100, 1 } }, false), std::invalid_argument);
   EXPECT_THROW(
     measured(ball, Degrees, { { std::nan(""), 3 }, { 100, 1 } }, false), std::invalid_argument);
+}
+
+TEST(MapOutlines, RefusesASurfaceWithAPointThatIsNotFinite)
+{
+  MappedMesh ball = sphere(10);
+  ball.Positions(100, 1) = -std::numeric_limits<double>::infinity();
+  EXPECT_THROW(measured(ball, Degrees, { { 100, 90 }, { 120, 90 } }, false), std::invalid_argument);
 }
 
 TEST(MapOutlines, SameBitsOnAnyThreadsAndStops)
