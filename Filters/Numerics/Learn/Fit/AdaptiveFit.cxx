@@ -71,11 +71,11 @@ bool isLarge(Index vertices)
 
 RemeshingOptions remeshingTo(Index vertices, bool first = false)
 {
-  const int iterations = isLarge(vertices) ? IterationsOfMany : Iterations;
-  const int firstIterations = isLarge(vertices) ? FirstIterationsOfMany : FirstIterations;
   RemeshingOptions options;
   options.NumberOfVertices = vertices;
-  options.NumberOfIterations = first ? firstIterations : iterations;
+  options.NumberOfIterations = isLarge(vertices)
+    ? (first ? FirstIterationsOfMany : IterationsOfMany)
+    : (first ? FirstIterations : Iterations);
   return options;
 }
 

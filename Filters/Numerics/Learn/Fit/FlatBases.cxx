@@ -40,11 +40,58 @@ struct Base
   double height(const Vector3& x) const { return this->Normal.dot(x - this->Center); }
 };
 
-// Triangles of a mesh of equal sides have the area sqrt(3) / 4 of a side's square.
-int firstRingOfSides(const Points& positions, const Triangles& triangles, double spacing)
+// Return 1 for each of these vertices, and 0 for others.
+std::vector<char> marksOf(const std::vector<int>& vertices, Index size)
 {
-  const double area = surfaceArea(positions, triangles) / static_cast<double>(triangles.rows());
-  const double side = std::sqrt(4.0 / std::sqrt(3.0) * area);
+  std::vector<char> marks(size, 0);
+  for (const int vertex : vertices)
+  {
+    marks[vertex] = 1;
+  }
+  return marks;
+}
+
+// Return the marked vertices that are connected to a marked vertex, and remove their marks.
+std::vector<int> connectedTo(int vertex, std::vector<char>& marks, const Adjacency& neighbors)
+{
+  std::vector<int> found = { vertex };
+  marks[vertex] = 0;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    for (const int* j = neighbors.begin(found[k]); j != neighbors.end(found[k]); ++j)
+    {
+      if (marks[*j])
+      {
+        marks[*j] = 0;
+        found.push_back(*j);
+      }
+    }
+  }
+  return found;
+}
+
+// Return the area vectors of the triangles between these vertices.
+std::vector<Vector3> areaVectorsBetween(
+  const std::vector<int>& vertices, const Points& positions, const Triangles& triangles)
+{
+  const std::vector<char> marks = marksOf(vertices, positions.rows());
+  std::vector<Vector3> vectors;
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    const Eigen::RowVector3i t = triangles.row(r);
+    if (marks[t[0]] && marks[t[1]] && marks[t[2]])
+    {
+      vectors.push_back(areaVector(positions, triangles, r));
+    }
+  }
+  return vectors;
+}
+
+// Return the first ring of the sides. Triangles of a mesh of equal sides have the area sqrt(3) / 4
+// of a side's square.
+int firstRingOfSides(double area, Index triangles, double spacing)
+{
+  const double side = std::sqrt(4.0 / std::sqrt(3.0) * area / static_cast<double>(triangles));
   constexpr double most = 20.0; // rings, of a mesh with very many vertices
   return std::max(
     FirstOfSides, static_cast<int>(std::ceil(std::min(most, DistanceOfSides * spacing / side))));
@@ -62,26 +109,23 @@ public:
     , Triangulation(triangles)
     , Normals(vertexNormals(positions, triangles))
     , Neighbors(vertexNeighbors(triangles, positions.rows()))
-    , SidesFrom(firstRingOfSides(positions, triangles, spacing))
-    , Marks(positions.rows(), 0)
+    , Area(surfaceArea(positions, triangles))
+    , SidesFrom(firstRingOfSides(this->Area, triangles.rows(), spacing))
   {
   }
 
   const Adjacency& neighbors() const { return this->Neighbors; }
 
-  std::vector<Base> find(const std::vector<int>& gap)
+  std::vector<Base> find(const std::vector<int>& gap) const
   {
-    for (const int vertex : gap)
-    {
-      this->Marks[vertex] = Gap;
-    }
+    std::vector<char> marks = marksOf(gap, this->Positions.rows());
     std::vector<Base> bases;
     for (const int vertex : gap)
     {
-      if (this->Marks[vertex] == Gap)
+      if (marks[vertex])
       {
         Base base;
-        base.Vertices = this->connected(vertex, Gap);
+        base.Vertices = connectedTo(vertex, marks, this->Neighbors);
         this->addRings(base);
         if (this->isFlat(base))
         {
@@ -94,39 +138,9 @@ public:
   }
 
 private:
-  enum Mark : char
-  {
-    Other,
-    Gap,
-    Seen
-  };
-
-  // Return the vertices with a mark that are connected to a vertex, and mark them as seen.
-  std::vector<int> connected(int vertex, char mark)
-  {
-    std::vector<int> found = { vertex };
-    this->Marks[vertex] = Seen;
-    for (std::size_t k = 0; k < found.size(); ++k)
-    {
-      for (const int* j = this->Neighbors.begin(found[k]); j != this->Neighbors.end(found[k]); ++j)
-      {
-        if (this->Marks[*j] == mark)
-        {
-          this->Marks[*j] = Seen;
-          found.push_back(*j);
-        }
-      }
-    }
-    return found;
-  }
-
   void addRings(Base& base) const
   {
-    std::vector<char> reached(this->Marks.size(), 0);
-    for (const int vertex : base.Vertices)
-    {
-      reached[vertex] = 1;
-    }
+    std::vector<char> reached = marksOf(base.Vertices, this->Positions.rows());
     std::vector<int> last = base.Vertices;
     for (int ring = 0; ring < this->SidesFrom + RingsOfSides; ++ring)
     {
@@ -149,61 +163,23 @@ private:
 
   bool isOneLoop(const std::vector<int>& border) const
   {
-    std::vector<char> unseen(this->Marks.size(), 0);
-    for (const int vertex : border)
-    {
-      unseen[vertex] = 1;
-    }
-    std::vector<int> front = { border.front() };
-    unseen[border.front()] = 0;
-    std::size_t count = 0;
-    while (!front.empty())
-    {
-      const int i = front.back();
-      front.pop_back();
-      ++count;
-      for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
-      {
-        if (unseen[*j])
-        {
-          unseen[*j] = 0;
-          front.push_back(*j);
-        }
-      }
-    }
-    return count == border.size();
-  }
-
-  double areaOf(const std::vector<int>& vertices, Vector3& direction) const
-  {
-    std::vector<char> marks(this->Marks.size(), 0);
-    for (const int vertex : vertices)
-    {
-      marks[vertex] = 1;
-    }
-    double area = 0.0;
-    direction.setZero();
-    for (Index r = 0; r < this->Triangulation.rows(); ++r)
-    {
-      const Eigen::RowVector3i t = this->Triangulation.row(r);
-      if (marks[t[0]] && marks[t[1]] && marks[t[2]])
-      {
-        const Vector3 vector = areaVector(this->Positions, this->Triangulation, r);
-        direction += vector;
-        area += vector.norm();
-      }
-    }
-    return area;
+    std::vector<char> marks = marksOf(border, this->Positions.rows());
+    return connectedTo(border.front(), marks, this->Neighbors).size() == border.size();
   }
 
   bool isFlat(Base& base) const
   {
     const std::vector<int>& border = base.Rings.front();
-    Vector3 outward;
-    const double area = this->areaOf(base.Vertices, outward);
+    Vector3 outward = Vector3::Zero();
+    double area = 0.0;
+    for (const Vector3& vector :
+      areaVectorsBetween(base.Vertices, this->Positions, this->Triangulation))
+    {
+      outward += vector;
+      area += vector.norm();
+    }
     if (border.empty() || area < SmallestArea * this->Spacing * this->Spacing ||
-      area > LargestArea * surfaceArea(this->Positions, this->Triangulation) ||
-      !this->isOneLoop(border) || !this->isNearPlane(base))
+      area > LargestArea * this->Area || !this->isOneLoop(border) || !this->isNearPlane(base))
     {
       return false;
     }
@@ -293,8 +269,8 @@ private:
   const Triangles& Triangulation;
   const Points Normals;
   const Adjacency Neighbors;
+  const double Area;
   const int SidesFrom; // ring
-  std::vector<char> Marks;
 };
 
 // Return positions with the vertices of a base on its plane, each at the mean of its neighbors.
@@ -341,20 +317,9 @@ Points flattened(
 
 bool isTurnedOver(const Base& base, const Points& positions, const Triangles& triangles)
 {
-  std::vector<char> marks(positions.rows(), 0);
-  for (const int vertex : base.Vertices)
-  {
-    marks[vertex] = 1;
-  }
-  for (Index r = 0; r < triangles.rows(); ++r)
-  {
-    if (marks[triangles(r, 0)] && marks[triangles(r, 1)] && marks[triangles(r, 2)] &&
-      !(areaVector(positions, triangles, r).dot(base.Normal) > 0.0))
-    {
-      return true;
-    }
-  }
-  return false;
+  const std::vector<Vector3> vectors = areaVectorsBetween(base.Vertices, positions, triangles);
+  return std::any_of(vectors.begin(), vectors.end(),
+    [&](const Vector3& vector) { return !(vector.dot(base.Normal) > 0.0); });
 }
 }
 
@@ -366,7 +331,7 @@ Index flattenBases(const Points& samples, const std::vector<int>& gap, double sp
   {
     return 0;
   }
-  BaseSearch search(samples, spacing, positions, triangles, run.unwatched());
+  const BaseSearch search(samples, spacing, positions, triangles, run.unwatched());
   Index count = 0;
   for (Base& base : search.find(gap))
   {
