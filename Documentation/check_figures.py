@@ -95,13 +95,19 @@ def printed_tables(text):
     return found
 
 
+def numbered(titles):
+    """Titles with how often each one came before: a table can have several columns of one title."""
+    return [(title, titles[:column].count(title)) for column, title in enumerate(titles)]
+
+
 def printed_columns(table, printed):
-    """Columns of the printed table that suits best, by their titles; None if two columns are not found."""
-    titles = cells(table.lines[0])
-    best = max(printed, key=lambda others: len(set(others) & set(titles)), default=())
-    if len(set(best) & set(titles)) < 2:
+    """Columns of the printed table that suits best, by numbered titles; None if two columns are not found."""
+    titles = set(numbered(cells(table.lines[0])))
+    best = max(printed, key=lambda others: len(titles & set(numbered(others))), default=())
+    if len(titles & set(numbered(best))) < 2:
         return None
-    return {title: [row[column] for row in printed[best]] for column, title in enumerate(best) if title in titles}
+    return {title: [row[column] for row in printed[best]]
+            for column, title in enumerate(numbered(best)) if title in titles}
 
 
 def step(number):
@@ -134,10 +140,10 @@ def differences(table, printed, tolerance):
         yield f"{len(rows)} rows, but {count} are printed"
         return
     for number, row in enumerate(rows):
-        for title, cell in zip(titles[1:], row[1:]):
-            if title in columns and re.search(r"\d", cell) and not OF_THE_MACHINE.search(title):
+        for title, cell in zip(numbered(titles)[1:], row[1:]):
+            if title in columns and re.search(r"\d", cell) and not OF_THE_MACHINE.search(title[0]):
                 if not agree(cell, columns[title][number], tolerance):
-                    yield f"{row[0]}, {title}: {cell}, but {columns[title][number]} is printed"
+                    yield f"{row[0]}, {title[0]}: {cell}, but {columns[title][number]} is printed"
 
 
 def run(command, scans):
@@ -155,6 +161,7 @@ def renewed(table, printed):
     """Lines of the table with what is printed, indented as before."""
     columns = printed_columns(table, printed)
     titles, _, *rows = (cells(line) for line in table.lines)
+    titles = numbered(titles)
     if columns is None:
         return table.lines
     count = len(next(iter(columns.values())))

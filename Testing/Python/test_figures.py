@@ -74,6 +74,15 @@ class Figures(unittest.TestCase):
         expected = GUIDE_OF_COLUMNS.replace("2.00e-5", "2.50e-5").replace("1.01e-5", "1.00e-5")
         self.assertEqual(renewed, expected.replace("2.51e-5", "2.50e-5"))
 
+    def test_columns_of_one_title_are_compared_in_their_order(self):
+        guide = "<!-- figures: PRINTER -->\n| name | mean | largest | mean | largest |\n|---|---|---|---|---|\n" \
+            "| one | 1.0 | 2.0 | 3.0 | 4.0 |\n"
+        printed = "| name | mean | largest | mean | largest |\n|---|---|---|---|---|\n| one | 1.0 | 2.0 | 3.0 | {} |"
+        self.assertEqual(self.run_script(printed.format("4.0"), guide=guide)[:2], (0, "1 tables, 0 differ\n"))
+        self.assertIn("one, largest: 4.0, but 9.0 is printed", self.run_script(printed.format("9.0"), guide=guide)[1])
+        renewed = self.run_script(printed.format("9.0"), "--renew", guide=guide)[2]
+        self.assertEqual(renewed, guide.replace("4.0", "9.0"))
+
     def test_commands_of_guides_exist(self):
         folder = os.path.join(ROOT, "Documentation")
         guides = [os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(".md")]
