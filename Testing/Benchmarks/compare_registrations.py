@@ -8,6 +8,7 @@ correspond from file to file. Every pair is registered by some of the landmarks 
 of the others, or of all where all are given: each landmark of the moving surface is looked up where it ends on the
 fixed one's sphere, and the way from there along the fixed surface's edges to the true landmark counts, over the
 square root of the surface's area. A pair is wrong if its mean error is above 0.25, and reported if Ambiguous is 1.
+With --template, vtkSphericalTemplate registers all meshes with their mean, and pairs correspond through the mean.
 PYTHONPATH is that of the build.
 """
 import argparse
@@ -19,23 +20,25 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
 from compare_lattices import triangulated  # pylint: disable=wrong-import-position
 from helpers import paper_models  # pylint: disable=wrong-import-position
-from conformalsom import vtkGlobalConformalMap, vtkSphericalRegistration  # pylint: disable=wrong-import-position
+from conformalsom import (  # pylint: disable=wrong-import-position
+    vtkGlobalConformalMap, vtkSphericalRegistration, vtkSphericalTemplate)
 from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
 
 FAR = 0.25  # an error as from head to tail
 
 
 class SpherePlaces:
-    """A surface with a map, on which directions on the sphere are looked up."""
+    """A surface with a map, on which directions on the sphere are looked up, and distances of its landmarks."""
 
-    def __init__(self, points, triangles, sphere):
-        self.points, self.triangles = points, triangles
+    def __init__(self, points, triangles, sphere, distances):
+        self.points, self.triangles, self.distances = points, triangles, distances
         a, b, c = points[triangles.T]
         self.size = np.sqrt(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
         a, b, c = sphere[triangles.T]
@@ -50,6 +53,15 @@ class SpherePlaces:
         weights = np.maximum(weights[found], 0.0)
         corners = self.triangles[found]
         return corners, weights @ self.points[corners] / weights.sum()
+
+    def errors(self, directions):
+        """Of each landmark, from where its direction leads to the true one."""
+        result = []
+        for direction, distances in zip(directions, self.distances):
+            corners, place = self.find(direction)
+            ways = distances[corners] + np.linalg.norm(self.points[corners] - place, axis=1)
+            result.append(ways.min() / self.size)
+        return np.array(result)
 
 
 class Model(SpherePlaces):
@@ -70,8 +82,7 @@ class Model(SpherePlaces):
         if not self.landmarks or not 0 <= min(self.landmarks) <= max(self.landmarks) < len(self.points):
             raise ValueError(f"{self.name}.landmarks: expected ids of the {len(self.points)} points of {self.name}.off")
         super().__init__(self.points, vtk_to_numpy(self.mapped.GetPolys().GetConnectivityArray()).reshape(-1, 3),
-                         sphere_of(self.mapped))
-        self.distances = [self.distances_from(point) for point in self.landmarks]
+                         sphere_of(self.mapped), [self.distances_from(point) for point in self.landmarks])
 
     def distances_from(self, point):
         """Lengths of the shortest ways along edges to all points."""
@@ -83,15 +94,6 @@ class Model(SpherePlaces):
         paths.Update()
         paths.GetCumulativeWeights(lengths)
         return vtk_to_numpy(lengths).copy()
-
-    def errors(self, directions):
-        """Of each landmark, from where its direction leads to the true one."""
-        result = []
-        for direction, distances in zip(directions, self.distances):
-            corners, place = self.find(direction)
-            ways = distances[corners] + np.linalg.norm(self.points[corners] - place, axis=1)
-            result.append(ways.min() / self.size)
-        return np.array(result)
 
 
 def sphere_of(surface):
@@ -125,16 +127,68 @@ class Outcome:
         if args.write:
             write(registered, os.path.join(args.write, self.name + ".vtp"))
         field = registered.GetFieldData()
-        self.errors = fixed.errors(sphere_of(registered)[moving.landmarks])
-        others = [i for i in range(len(self.errors)) if i not in given and i not in unjudged]
-        self.mean = self.errors[others or given].mean()
-        self.judged = self.errors[others or given]
+        others = self.judge(fixed.errors(sphere_of(registered)[moving.landmarks]), given, unjudged)
         self.is_ambiguous = field.GetArray("Ambiguous").GetValue(0) == 1
         self.second = (fixed.errors(sphere_of(second)[moving.landmarks])[others or given].mean()
                        if second.GetNumberOfPoints() else np.inf)
         self.unmet = field.GetArray("LandmarkError").GetValue(0)
         self.stretch = field.GetArray("RegistrationStretch").GetValue(0)
         self.flips = max(field.GetArray("NumberOfFolds").GetValue(0), flips_of(registered, moving.triangles))
+
+    def judge(self, errors, given, unjudged):
+        """By the landmarks that are returned."""
+        others = [i for i in range(len(errors)) if i not in given and i not in unjudged] or given
+        self.errors, self.judged = errors, errors[others]
+        self.mean = self.judged.mean()
+        return others
+
+
+class TemplateOutcome(Outcome):
+    """Of one pair whose maps a template has made correspond."""
+
+    def __init__(self, moving, fixed, given, unjudged, seconds):  # pylint: disable=super-init-not-called
+        (model, surface), (other, other_surface) = moving, fixed
+        self.name = model.name + "-" + other.name
+        on_sphere = SpherePlaces(other.points, other.triangles, sphere_of(other_surface), other.distances)
+        self.judge(on_sphere.errors(sphere_of(surface)[model.landmarks]), given, unjudged)
+        field = surface.GetFieldData()
+        self.is_ambiguous = field.GetArray("Ambiguous").GetValue(0) == 1
+        self.second, self.seconds, self.flips = np.inf, seconds, flips_of(surface, model.triangles)
+        self.unmet = field.GetArray("LandmarkError").GetValue(0)
+        self.stretch = field.GetArray("RegistrationStretch").GetValue(0)
+
+
+def template_outcomes(models, given, args, unjudged):
+    template = vtkSphericalTemplate()
+    for name, value in args.settings:
+        getattr(template, "Set" + name)(value)
+    for model in models:
+        surface, numbers = vtkPolyData(), vtkIntArray()
+        surface.ShallowCopy(model.mapped)
+        numbers.SetName("Landmark")
+        numbers.SetNumberOfTuples(surface.GetNumberOfPoints())
+        numbers.Fill(0)
+        for number, i in enumerate(given, 1):
+            numbers.SetValue(model.landmarks[i], number)
+        surface.GetPointData().AddArray(numbers)
+        template.AddInputDataObject(surface)
+    if given:
+        template.SetLandmarkArrayName("Landmark")
+    begin = time.process_time()
+    blocks = paper_models.run(template)
+    seconds = (time.process_time() - begin) / len(models)
+    registered = [(model, blocks.GetBlock(i)) for i, model in enumerate(models)]
+    return [TemplateOutcome(*pair, given, unjudged, seconds)
+            for pair in (itertools.permutations if args.both else itertools.combinations)(registered, 2)]
+
+
+def outcomes_of(models, given, args, unjudged):
+    """Of each pair, as they are computed."""
+    if args.template:
+        yield from template_outcomes(models, given, args, unjudged)
+        return
+    for pair in (itertools.permutations if args.both else itertools.combinations)(models, 2):
+        yield Outcome(*pair, given, args, unjudged)
 
 
 def write(surface, path):
@@ -160,7 +214,8 @@ def row_of(given, count, outcomes, args):
     means = np.array([outcome.mean for outcome in outcomes])
     judged = np.concatenate([outcome.judged for outcome in outcomes])
     landmarks = "none" if not given else f"all {count}" if len(given) == count else f"{len(given)} of {count}"
-    return (os.path.basename(os.path.normpath(args.folder)), args.space, landmarks, f"{means.mean():.3f}",
+    space = args.space + (", template" if args.template else "")
+    return (os.path.basename(os.path.normpath(args.folder)), space, landmarks, f"{means.mean():.3f}",
             f"{np.median(means):.3f}", f"{means.max():.3f}", str((means > FAR).sum()),
             f"{100.0 * (judged < 0.1).mean():.0f} %", str(sum(outcome.flips for outcome in outcomes)),
             reported([outcome for outcome in outcomes if outcome.mean > FAR]),
@@ -180,8 +235,8 @@ def print_details(name, outcomes):
 
 def setting(text):
     name, _, value = text.partition("=")
-    if not hasattr(vtkSphericalRegistration, "Set" + name):
-        raise argparse.ArgumentTypeError(f"vtkSphericalRegistration has no property {name}")
+    if not any(hasattr(kind, "Set" + name) for kind in (vtkSphericalRegistration, vtkSphericalTemplate)):
+        raise argparse.ArgumentTypeError(f"neither vtkSphericalRegistration nor vtkSphericalTemplate has {name}")
     return name, float(value) if "." in value or "e" in value else int(value)
 
 
@@ -198,8 +253,10 @@ def arguments():
     parser.add_argument("--space", choices=("Rotation", "Moebius", "Diffeomorphic"), default="Diffeomorphic")
     parser.add_argument("--balance", type=float, default=0.5, help="AreaBalance of maps, default 0.5")
     parser.add_argument("--both", action="store_true", help="register each pair in both directions")
+    parser.add_argument("--template", action="store_true", help="register all meshes by vtkSphericalTemplate; seconds are "
+                        "those for each mesh")
     parser.add_argument("--set", nargs="+", type=setting, default=[], dest="settings", metavar="NAME=VALUE",
-                        help="further properties of vtkSphericalRegistration")
+                        help="further properties of vtkSphericalRegistration, or of vtkSphericalTemplate")
     parser.add_argument("--pairs", action="store_true", help="print a line for each pair")
     parser.add_argument("--each", action="store_true", help="print the mean error of each landmark")
     parser.add_argument("--write", metavar="DIR", help="write the registered surfaces as MOVING-FIXED.vtp")
@@ -229,10 +286,9 @@ def main():
     table = [TITLES, ["---"] * len(TITLES)]
     for given in rows + (args.given or []):
         outcomes = []
-        for pair in (itertools.permutations if args.both else itertools.combinations)(models, 2):
-            outcomes.append(Outcome(*pair, given, args, unjudged))
+        for last in outcomes_of(models, given, args, unjudged):
+            outcomes.append(last)
             if args.pairs:
-                last = outcomes[-1]
                 print(f"  {last.name:<14}mean {last.mean:.4f}, largest {last.judged.max():.4f}, stretch "
                       f"{last.stretch:.3f}, landmark error {last.unmet:.1e}, flips {last.flips}, "
                       f"ambiguous {int(last.is_ambiguous)}, second {last.second:.4f}, "
