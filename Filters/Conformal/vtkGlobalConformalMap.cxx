@@ -39,11 +39,13 @@ void AddFigures(vtkFieldData* data, const conformal::GlobalConformalMapResult& m
     static_cast<long long>(map.NumberOfInfiniteStringConstants));
 }
 
-void RequireRobust(const conformal::GlobalConformalMapOptions& options, const std::string& surface)
+void RequireRobust(const conformal::GlobalConformalMapOptions& options, const std::string& surface,
+  const std::string& otherwise = "")
 {
   if (options.Method != conformal::GlobalConformalMethod::Robust || options.AreaBalance > 0.0)
   {
-    throw std::invalid_argument(surface + " is mapped only by Method ROBUST with AreaBalance 0");
+    throw std::invalid_argument(
+      surface + " is mapped only by Method ROBUST with AreaBalance 0" + otherwise);
   }
 }
 
@@ -51,7 +53,8 @@ void RequireRobust(const conformal::GlobalConformalMapOptions& options, const st
 conformal::GlobalConformalMapResult MapSheet(const conformal::Mesh& sheet,
   const conformal::GlobalConformalMapOptions& options, const conformal::Run& run)
 {
-  RequireRobust(options, "a surface with a border");
+  RequireRobust(options, "a surface with a border",
+    "; for a map to the whole sphere, close it by vtkGenusZeroRepair or vtkConformalSOM");
   conformal::SheetMapResult map = conformal::mapSheet(sheet, run);
   conformal::GlobalConformalMapResult result;
   result.Positions = std::move(map.Positions);

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkSphericalRegistration);
@@ -37,9 +38,12 @@ int VertexAt(const std::vector<int>& vertices, vtkIdType id, const char* which)
   return vertices[id];
 }
 
-int NearestVertex(
-  vtkPolyData* data, const glue::SurfaceToRegister& surface, const double position[3])
+// Return the vertex nearest to the position of a landmark. A landmark far from the surface is
+// refused, since its nearest vertex is arbitrary.
+int NearestVertex(vtkPolyData* data, const glue::SurfaceToRegister& surface,
+  const double position[3], const std::string& name)
 {
+  constexpr double maximum = 0.05; // in multiples of the diagonal of the bounding box
   int nearest = 0;
   double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t v = 0; v < surface.PointIds.size(); ++v)
@@ -52,6 +56,16 @@ int NearestVertex(
       minimum = distance;
       nearest = static_cast<int>(v);
     }
+  }
+  const double diagonal = data->GetLength();
+  if (minimum > maximum * diagonal)
+  {
+    std::ostringstream text;
+    text << "the landmark at (" << position[0] << ", " << position[1] << ", " << position[2]
+         << ") is " << minimum << " from the nearest point of the " << name
+         << " surface, but must be closer than 5 % of the diagonal of the bounding box, which is "
+         << diagonal << "; use the coordinates of the surface";
+    throw std::invalid_argument(text.str());
   }
   return nearest;
 }
@@ -126,8 +140,8 @@ std::vector<std::pair<int, int>> LandmarksOf(const RegisteredPair& surfaces,
     {
       throw std::invalid_argument("the position of a landmark is not finite");
     }
-    pairs.emplace_back(NearestVertex(surfaces.Moving, surfaces.From, position.data()),
-      NearestVertex(surfaces.Fixed, surfaces.To, position.data() + 3));
+    pairs.emplace_back(NearestVertex(surfaces.Moving, surfaces.From, position.data(), "moving"),
+      NearestVertex(surfaces.Fixed, surfaces.To, position.data() + 3, "fixed"));
   }
   std::set<int> used;
   for (const auto& pair : pairs)
@@ -161,7 +175,8 @@ void Warn(vtkObject* self, const conformal::SphericalRegistrationResult& result,
   {
     vtkWarningWithObjectMacro(self,
       << "two correspondences are about equally good, such as head and tail of similar shape; the "
-         "second one is on output port 1. Inspect both, or add a landmark");
+         "second one is on output port 1. Inspect both, or add "
+      << (numberOfLandmarks > 0 ? "landmarks" : "a landmark"));
   }
   if (result.NumberOfFolds > 0)
   {
@@ -174,7 +189,9 @@ void Warn(vtkObject* self, const conformal::SphericalRegistrationResult& result,
     vtkWarningWithObjectMacro(self,
       << result.NumberOfUnmetLandmarks << " of " << numberOfLandmarks
       << " landmarks cannot be matched without folds of the map; the largest remaining distance is "
-      << result.LandmarkError << " on the unit sphere");
+      << result.LandmarkError
+      << " on the unit sphere. Check that landmarks have the same order on both surfaces, and that "
+         "left and right are not swapped");
   }
 }
 }

@@ -152,8 +152,9 @@ public:
   ///@{
   /**
    * Add a landmark by a pair of corresponding positions, such as picked positions: one near the
-   * moving surface, and one near the fixed surface. The nearest points of the surfaces are used.
-   * Default is none.
+   * moving surface, and one near the fixed surface. The nearest points of the surfaces are used. A
+   * position that is farther from all points than 5 percent of the diagonal of the surface's
+   * bounding box is refused. Default is none.
    */
   void AddLandmarkPosition(
     double x, double y, double z, double fixedX, double fixedY, double fixedZ);

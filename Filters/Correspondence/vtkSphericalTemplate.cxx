@@ -191,7 +191,8 @@ void Warn(vtkObject* self, const UsedSurfaces& surfaces, const ReadSurfaces& inp
   {
     vtkWarningWithObjectMacro(self, << unmet << " of "
                                     << inputs.Core.size() * inputs.Core.front().Landmarks.size()
-                                    << " landmarks cannot be matched without folds of a map");
+                                    << " landmarks cannot be matched without folds of a map. Check "
+                                       "that equal numbers are at corresponding points");
   }
 }
 }

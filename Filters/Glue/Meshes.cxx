@@ -196,12 +196,9 @@ std::string RejectionOf(const conformal::GenusZeroReport& report, glue::Topology
   }
   std::string text = "the surface must be closed, manifold, in one piece and of genus zero";
   text += (topology == glue::Topology::Mappable ? " or one" : "");
-  text += ", but it is " + Sentence(report) + ". vtkGenusZeroCheck lists all faults.";
-  if (handles > 0)
-  {
-    text += " vtkGenusZeroRepair removes handles.";
-  }
-  return text;
+  return text + ", but it is " + Sentence(report) +
+    ". vtkGenusZeroCheck lists all faults. vtkGenusZeroRepair fills holes, removes handles and "
+    "keeps the largest part.";
 }
 
 // Repair a mesh without loss. Positions and point ids of the mesh are set only if the repaired mesh

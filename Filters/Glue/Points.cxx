@@ -145,7 +145,7 @@ conformal::Points ToSpherePositions(vtkPolyData* surface)
   {
     const std::string why = surface->GetPointData()->HasArray(TorusPositionName())
       ? ": it is mapped to a flat torus, and this filter needs a map to the sphere"
-      : "; only a surface without handles can have it";
+      : "; map a closed surface without handles by vtkGlobalConformalMap";
     throw std::invalid_argument("the surface has no point array " + name + why);
   }
   conformal::Points positions;

@@ -34,7 +34,6 @@ Case BodyMapImage()
         f->SetImageSize(24, 12);
         f->SetArrayName("SpherePosition");
         f->GeneratePositionsOn();
-        f->GenerateAreaScaleOn();
       }) };
   image.Properties = { Name("ArrayName", &F::SetArrayName),
     Integer("Projection", &F::SetProjection), Integer("Coordinates", &F::SetCoordinates),

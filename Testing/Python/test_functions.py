@@ -119,6 +119,36 @@ class TestFunctions(unittest.TestCase):
         self.assertEqual((coefficients.shape, len(rebuilt)), ((81, 3), 500))
         self.assertEqual(rebuilt.quality["HarmonicPower"].size, 9)
 
+    def test_registration_returns_the_second_best_result(self):
+        mapped = cs.conformal_map((self.surface.points, self.surface.faces))
+        turns = "two correspondences are about equally good"  # an ellipsoid equals itself after half a turn
+        with self.assertWarnsRegex(cs.FilterWarning, turns):
+            registered = mapped.register(self.surface, frequency=8)
+        self.assertEqual(registered.quality["Ambiguous"], 1)
+        self.assertGreater(np.abs(registered.sphere - registered.second.sphere).max(), 0.5)
+        self.assertEqual(len(pickle.loads(pickle.dumps(registered)).second), len(mapped))
+        self.assertIsNone(mapped.second)
+        with self.assertRaisesRegex(TypeError, r"landmarks is \(1, 1\), but must be Sequence"):
+            mapped.register(self.surface, landmarks=(1, 1))
+        with self.assertRaisesRegex(TypeError, r"landmarks is \[\(1.5, 1\)\], but must be Sequence"):
+            mapped.register(self.surface, landmarks=[(1.5, 1)])
+
+    def test_mean_shape_takes_landmarks(self):
+        ids = [int(np.argmax(self.surface.points @ axis)) for axis in np.vstack([np.eye(3), -np.eye(3)])]
+        turned = cs.Surface((self.surface.points * (-1.0, -1.0, 1.0), self.surface.faces))
+        surfaces = [self.surface, cs.conformal_map(turned)]
+        few = {"frequency": 8, "mean_frequency": 12, "maximum_number_of_rounds": 1}
+        mean = cs.mean_shape(surfaces, landmarks=[ids, ids], **few)
+        self.assertLess(np.abs(np.linalg.norm(mean.points / AXES, axis=1) - 1).max(), 0.06)
+        self.assertNotIn("Landmark", self.surface.point_data)
+        for landmarks, message in (([ids], "must be 2 lists"), ([ids, ids[1:]], "all of one length"),
+                                   ([ids, [*ids[1:], 500]], "landmarks of surface 1 must be ids of points in .0, 499"),
+                                   ([ids, [*ids[1:], ids[1]]], "landmarks of surface 1 repeat an id")):
+            with self.assertRaisesRegex(ValueError, message):
+                cs.mean_shape(surfaces, landmarks=landmarks)
+        with self.assertRaisesRegex(ValueError, "there is none"):
+            cs.mean_shape([])
+
     def test_transfers_poses(self):
         target = cs.conformal_map((self.surface.points, self.surface.faces))
         poses = [np.array(self.surface.points) * scale for scale in (1.0, 1.5)]

@@ -3,10 +3,12 @@ from __future__ import annotations
 
 import typing
 
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from conformalsom.filters import updated
-from conformalsom.inputs import MeshLike, Path, PointsLike, VolumeLike, volume_of
+from conformalsom.inputs import MeshLike, Path, PointsLike, VolumeLike, point_set, volume_of
 from conformalsom.keywords import properties_of
 from conformalsom.reporting import Progress
 from conformalsom.surface import Array, Surface, columns_of
@@ -38,8 +40,9 @@ def conformal_map(mesh: MeshLike, *, progress: Progress = False, **properties: t
     (points, triangles).
     progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
-    Raises FileNotFoundError for a missing file, and FilterFailed if the surface is not closed or has several handles.
-    A surface of genus 1 has the point array "TorusPosition" and no sphere. Example:
+    Raises FileNotFoundError for a missing file, and FilterFailed if the surface has faults or several handles. A
+    surface with a border is mapped to a hemisphere. A surface of genus 1 has the point array "TorusPosition" and no
+    sphere. Maps that are registered later need area_balance=0.5 if the surface has limbs. Example:
 
         surface = conformalsom.conformal_map((points, triangles))
     """
@@ -110,19 +113,49 @@ def time_series(surfaces: typing.Iterable[MeshLike], *, progress: Progress = Fal
 
 
 @properties_of("vtkSphericalTemplate")
-def mean_shape(surfaces: typing.Iterable[MeshLike], *, progress: Progress = False,
+def mean_shape(surfaces: typing.Iterable[MeshLike], *,
+               landmarks: typing.Optional[typing.Sequence[typing.Sequence[int]]] = None, progress: Progress = False,
                **properties: typing.Any) -> Surface:
     """Register several surfaces with their mean, and return the mean.
 
-    surfaces: mapped surfaces in one coordinate system.
+    surfaces: mapped surfaces.
+    landmarks: for each surface, ids of its landmarks. Point k of each list corresponds to point k of the others.
     progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
-    Raises FilterFailed if a surface has no valid map to the sphere. Example:
+    Raises ValueError if there is no surface or if landmarks do not fit the surfaces, and FilterFailed if a surface has
+    no valid map to the sphere. Example:
 
         mean = conformalsom.mean_shape([first, second, third])
     """
-    template, warnings = updated("vtkSphericalTemplate", surfaces, progress, properties)
+    data = [point_set(surface) for surface in surfaces]
+    if not data:
+        raise ValueError("expected one surface or more, but there is none")
+    if landmarks is not None:
+        properties["landmark_array_name"] = mark_landmarks(data, landmarks)
+    template, warnings = updated("vtkSphericalTemplate", data, progress, properties)
     return Surface(template.GetMeanSurface(), warnings=warnings)
+
+
+def mark_landmarks(surfaces: typing.List[typing.Any], landmarks: typing.Sequence[typing.Sequence[int]]) -> str:
+    """Replace surfaces by copies with a point array: 1, 2 ... at landmarks, else 0. Return the name of the array."""
+    name = "Landmark"
+    lists = [np.asarray(ids) for ids in landmarks]
+    if len(lists) != len(surfaces) or len({ids.shape for ids in lists}) != 1:
+        raise ValueError(f"landmarks must be {len(surfaces)} lists of ids, one for each surface and all of one length")
+    for i, (surface, ids) in enumerate(zip(surfaces, lists)):
+        count = surface.GetNumberOfPoints()
+        if ids.ndim != 1 or ids.dtype.kind not in "iu" or ids.size and not 0 <= ids.min() <= ids.max() < count:
+            raise ValueError(f"landmarks of surface {i} must be ids of points in [0, {count - 1}]")
+        if len(np.unique(ids)) < ids.size:
+            raise ValueError(f"landmarks of surface {i} repeat an id")
+        numbers = np.zeros(count, np.int32)
+        numbers[ids] = np.arange(1, ids.size + 1)
+        array = numpy_to_vtk(numbers, deep=True)
+        array.SetName(name)
+        surfaces[i] = surface.NewInstance()
+        surfaces[i].ShallowCopy(surface)
+        surfaces[i].GetPointData().AddArray(array)
+    return name
 
 
 def read(path: Path) -> Surface:

@@ -83,14 +83,22 @@ def apply(algorithm: typing.Any, keywords: typing.Mapping[str, Keyword], propert
             if value is not None:
                 getattr(algorithm, setter + "Data")(data_of(value))
         elif keyword.kind == "list":
-            for item in value:
-                getattr(algorithm, "Add" + keyword.name)(*arguments_of(item))
+            add_items(algorithm, word, keyword, value)
         elif keyword.kind == "choice":
             if value not in keyword.values:
                 raise ValueError(f"{word} is {value!r}, but must be one of {', '.join(map(repr, keyword.values))}")
             getattr(algorithm, f"{setter}To{value}")()
         else:
             set_value(algorithm, word, keyword, value)
+
+
+def add_items(algorithm: typing.Any, word: str, keyword: Keyword, value: typing.Any) -> None:
+    """Add the items of a list, and raise TypeError for a wrong type."""
+    try:
+        for item in value:
+            getattr(algorithm, "Add" + keyword.name)(*arguments_of(item))
+    except TypeError as error:
+        raise TypeError(f"{word} is {value!r}, but must be {keyword.type}: {error}") from None
 
 
 def arguments_of(item: typing.Any) -> typing.List[typing.Any]:

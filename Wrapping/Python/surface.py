@@ -67,6 +67,7 @@ class Surface:
         self._data: typing.Any = point_set(mesh)
         self._warnings = tuple(warnings)
         self._picture: typing.Tuple[typing.Optional[vtkImageData], typing.Dict[str, typing.Any]] = None, {}
+        self._second: typing.Optional[Surface] = None
         if not isinstance(self._data, vtkPolyData):
             raise TypeError(f"expected a mesh of triangles, not {self._data.GetClassName()}")
 
@@ -115,6 +116,11 @@ class Surface:
     def warnings(self) -> typing.List[str]:
         """Warnings of all filters that made this surface, beginning with the name of the filter."""
         return list(self._warnings)
+
+    @property
+    def second(self) -> typing.Optional["Surface"]:
+        """The second best result of register() if two correspondences are about equally good; otherwise None."""
+        return self._second
 
     @property
     def texture(self) -> typing.Optional[Array]:
@@ -222,14 +228,21 @@ class Surface:
     def register(self, fixed: MeshLike, *, progress: Progress = False, **properties: typing.Any) -> "Surface":
         """Deform the map to the sphere until corresponding points of two surfaces have the same position.
 
-        fixed: the surface to which this surface is registered.
+        Map both surfaces in the same way, by conformal_map(mesh, area_balance=0.5) if they have limbs.
+
+        fixed: the surface to which this surface is registered. It must have a map to the sphere.
         progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
-        Returns this surface with the deformed map. Example:
+        Returns this surface with the deformed map. If two correspondences are about equally good, a warning is
+        issued, and `second` of the result is the other one. Raises FilterFailed if a surface has no valid map to the
+        sphere, or if a landmark is not on its surface. Example:
 
             registered = surface.register(other, landmarks=[(12, 57)])
         """
-        return self._filtered("vtkSphericalRegistration", progress, {**properties, "fixed": fixed})
+        algorithm, texts = updated("vtkSphericalRegistration", [self], progress, {**properties, "fixed": fixed})
+        registered, second = (Surface(algorithm.GetOutput(port), warnings=[*self._warnings, *texts]) for port in (0, 1))
+        registered._second = second if len(second) else None
+        return registered
 
     @properties_of("vtkDeformationTransfer", without=("source", "pose"))
     def posed(self, source: MeshLike, poses: typing.Iterable[PointsLike], *, progress: Progress = False,
@@ -336,12 +349,13 @@ class Surface:
 
     def __getstate__(self) -> typing.Dict[str, typing.Any]:
         return {"data": pickling.dumps(self._data), "texture": self.texture, "placement": self.placement,
-                "warnings": self._warnings}
+                "warnings": self._warnings, "second": self._second}
 
     def __setstate__(self, state: typing.Dict[str, typing.Any]) -> None:
         self._data = pickling.loads(state["data"])
         self._picture = None if state["texture"] is None else image_of(state["texture"]), state["placement"]
         self._warnings = state["warnings"]
+        self._second = state.get("second")
 
     def _filtered(self, class_name: str, progress: Progress, properties: typing.Mapping[str, typing.Any]) -> "Surface":
         """Run a filter on this surface; return its first output as a surface."""
