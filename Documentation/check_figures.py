@@ -174,11 +174,13 @@ def renewed(table, printed):
     return [*table.lines[:2], *(re.sub(r"(?<=\de[-+])0(?=\d)", "", row) if short else row for row in new)]
 
 
-def renew(guide, tables, outputs):
+def renew(guide, outputs):
+    """Replace tables of a guide by printed ones. The guide is read again: it may have changed while commands ran."""
     with open(guide, encoding="utf-8") as file:
         lines = file.read().split("\n")
-    for table in reversed(tables):
-        lines[table.begin:table.end] = renewed(table, outputs.get(table.command, {}))
+    for table in reversed(list(marked_tables(guide))):
+        if table.command in outputs:
+            lines[table.begin:table.end] = renewed(table, outputs[table.command])
     with open(guide, "w", encoding="utf-8") as file:
         file.write("\n".join(lines))
 
@@ -230,7 +232,7 @@ def main():
     outputs, stale = check(tables, options)
     if options.renew:
         for guide in dict.fromkeys(table.guide for table in tables):
-            renew(guide, [table for table in tables if table.guide == guide], outputs)
+            renew(guide, outputs)
     return 1 if stale and not options.renew else 0
 
 

@@ -215,6 +215,9 @@ TEST_F(SphericalRegistration, RefusesWhatItCannotUse)
   this->Filter->AddLandmarkPosition(0.0, 0.0, std::nan(""), 0.0, 0.0, 0.0);
   this->ExpectRefused("the position of a landmark is not finite");
   this->Filter->RemoveAllLandmarkPositions();
+  this->Filter->AddLandmarkPosition(1.0, 0.0, 0.0, 1000.0, 0.0, 0.0);
+  this->ExpectRefused("of the fixed surface, but must be closer than 5 % of the diagonal");
+  this->Filter->RemoveAllLandmarkPositions();
   this->Filter->SetSpaceOfTransformsToMoebius();
   this->Filter->AddLandmark(4, 5);
   this->ExpectRefused("3 or more pairs of points are needed");

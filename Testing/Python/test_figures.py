@@ -36,11 +36,11 @@ GUIDE_OF_COLUMNS = """<!-- figures: PRINTER && PRINTER -->
 
 
 class Figures(unittest.TestCase):
-    def run_script(self, printed, *words, guide=GUIDE):
+    def run_script(self, printed, *words, guide=GUIDE, before=""):
         with tempfile.TemporaryDirectory() as folder:
             printer, path = os.path.join(folder, "printer.py"), os.path.join(folder, "guide.md")
             with open(printer, "w", encoding="utf-8") as file:
-                file.write(f"print({printed!r})")
+                file.write(before.replace("GUIDE", repr(path)) + f"\nprint({printed!r})")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(guide.replace("PRINTER", printer))
             result = subprocess.run([sys.executable, SCRIPT, path, *words], stdout=subprocess.PIPE,
@@ -64,6 +64,11 @@ class Figures(unittest.TestCase):
         code, _, guide = self.run_script(PRINTED.format("2.5 %"), "--renew")
         self.assertEqual(code, 0)
         self.assertEqual(guide, GUIDE.replace("1.02e-5 | 3.0", "1.00e-5 | 9.0").replace("**2.0 %**", "2.5 %"))
+
+    def test_a_guide_that_changes_meanwhile_keeps_its_changes(self):
+        edit = "text = open(GUIDE).read()\nopen(GUIDE, 'w').write('# New\\n' + text)"
+        _, _, guide = self.run_script(PRINTED.format("2.5 %"), "--renew", before=edit)
+        self.assertEqual(guide, "# New\n" + self.run_script(PRINTED.format("2.5 %"), "--renew")[2])
 
     def test_columns_of_several_commands_are_compared_with_those_of_the_guide(self):
         columns = "name  error  time\none  1.00e-05  3.0\nTwo lines of text.\ntwo  2.50e-05  4.0\n"
