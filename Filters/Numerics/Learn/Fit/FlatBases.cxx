@@ -116,28 +116,66 @@ public:
 
   const Adjacency& neighbors() const { return this->Neighbors; }
 
-  std::vector<Base> find(const std::vector<int>& gap) const
+  std::vector<Base> find(const std::vector<int>& gap, const Run& run) const
   {
-    std::vector<char> marks = marksOf(gap, this->Positions.rows());
     std::vector<Base> bases;
-    for (const int vertex : gap)
+    std::vector<std::vector<int>> parts = this->partsOfBaseSize(gap);
+    for (std::size_t i = 0; i < parts.size(); ++i)
     {
-      if (marks[vertex])
+      Base base;
+      base.Vertices = std::move(parts[i]);
+      this->addRings(base);
+      if (this->isFlat(base))
       {
-        Base base;
-        base.Vertices = connectedTo(vertex, marks, this->Neighbors);
-        this->addRings(base);
-        if (this->isFlat(base))
-        {
-          this->addRoundedRim(base);
-          bases.push_back(std::move(base));
-        }
+        this->addRoundedRim(base);
+        bases.push_back(std::move(base));
       }
+      run.report(static_cast<double>(i + 1) / static_cast<double>(parts.size()));
     }
     return bases;
   }
 
 private:
+  // Return the connected parts of a gap whose areas can be that of a base. Uneven points leave many
+  // small gaps.
+  std::vector<std::vector<int>> partsOfBaseSize(const std::vector<int>& gap) const
+  {
+    std::vector<char> marks = marksOf(gap, this->Positions.rows());
+    std::vector<std::vector<int>> parts;
+    std::vector<int> partOf(this->Positions.rows(), -1);
+    for (const int vertex : gap)
+    {
+      if (marks[vertex])
+      {
+        parts.push_back(connectedTo(vertex, marks, this->Neighbors));
+        for (const int member : parts.back())
+        {
+          partOf[member] = static_cast<int>(parts.size()) - 1;
+        }
+      }
+    }
+    std::vector<double> areas(parts.size(), 0.0);
+    for (Index r = 0; r < this->Triangulation.rows(); ++r)
+    {
+      const Eigen::RowVector3i t = this->Triangulation.row(r);
+      const int part = partOf[t[0]];
+      if (part >= 0 && part == partOf[t[1]] && part == partOf[t[2]])
+      {
+        areas[part] += areaVector(this->Positions, this->Triangulation, r).norm();
+      }
+    }
+    std::vector<std::vector<int>> result;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      if (areas[i] >= SmallestArea * this->Spacing * this->Spacing &&
+        areas[i] <= LargestArea * this->Area)
+      {
+        result.push_back(std::move(parts[i]));
+      }
+    }
+    return result;
+  }
+
   void addRings(Base& base) const
   {
     std::vector<char> reached = marksOf(base.Vertices, this->Positions.rows());
@@ -170,18 +208,15 @@ private:
   bool isFlat(Base& base) const
   {
     const std::vector<int>& border = base.Rings.front();
+    if (border.empty() || !this->isOneLoop(border) || !this->isNearPlane(base))
+    {
+      return false;
+    }
     Vector3 outward = Vector3::Zero();
-    double area = 0.0;
     for (const Vector3& vector :
       areaVectorsBetween(base.Vertices, this->Positions, this->Triangulation))
     {
       outward += vector;
-      area += vector.norm();
-    }
-    if (border.empty() || area < SmallestArea * this->Spacing * this->Spacing ||
-      area > LargestArea * this->Area || !this->isOneLoop(border) || !this->isNearPlane(base))
-    {
-      return false;
     }
     if (base.Normal.dot(outward) < 0.0)
     {
@@ -333,7 +368,7 @@ Index flattenBases(const Points& samples, const std::vector<int>& gap, double sp
   }
   const BaseSearch search(samples, spacing, positions, triangles, run.unwatched());
   Index count = 0;
-  for (Base& base : search.find(gap))
+  for (Base& base : search.find(gap, run.part(0.0, 0.9)))
   {
     base.Level += beyond;
     try
