@@ -135,21 +135,29 @@ public:
   Solution solve(double weight, const Run& run) const
   {
     constexpr Index probes = NumberOfProbes;
-    Columns columns(this->Places.rows(), 1 + 2 * probes);
+    Columns columns(this->Places.rows(), 1 + probes); // displacements, deviations
+    Eigen::VectorXd traces(static_cast<Index>(this->Parts.size()));
     this->forParts(run,
       [&](const OverlappingPart& part, const Run& own)
       {
-        Columns some(static_cast<Index>(part.Ids.size()), columns.cols());
-        some << part.rowsOf(this->Distances.Right - weight * this->Energy.Force),
-          part.rowsOf(this->Distances.Probes), std::sqrt(weight) * part.rowsOf(this->Energy.Probes);
+        const Columns ofDistances = part.rowsOf(this->Distances.Probes);
+        Columns some(ofDistances.rows(), 1 + 2 * probes);
+        some << part.rowsOf(this->Distances.Right - weight * this->Energy.Force), ofDistances,
+          std::sqrt(weight) * part.rowsOf(this->Energy.Probes);
         this->factorizeAt(part, weight, own).solve(some);
+        traces[&part - this->Parts.data()] =
+          ofDistances.topRows(part.CoreSize)
+            .cwiseProduct(some.block(0, 1, part.CoreSize, probes))
+            .sum();
+        some.middleCols(1, probes) += some.rightCols(probes);
+        some.conservativeResize(some.rows(), 1 + probes);
         part.copyCore(some, columns);
       });
     Solution solution;
     solution.Displacements = columns.col(0);
-    solution.Deviations = columns.middleCols(1, probes) + columns.rightCols(probes);
-    const double trace = this->Distances.Probes.cwiseProduct(columns.middleCols(1, probes)).sum();
-    this->evaluate(solution, trace / static_cast<double>(probes));
+    solution.Deviations = columns.rightCols(probes);
+    columns.resize(0, 0);
+    this->evaluate(solution, traces.sum() / static_cast<double>(probes));
     return solution;
   }
 
