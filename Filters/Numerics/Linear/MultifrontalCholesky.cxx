@@ -84,12 +84,11 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
 //------------------------------------------------------------------------------
 void MultifrontalCholesky::findBoundaries(const Adjacency& graph)
 {
-  std::vector<int> boundary;
   std::vector<std::size_t> seenBy(this->Dissection.Order.size(), this->Fronts.size());
   for (std::size_t part = 0; part < this->Fronts.size(); ++part)
   {
     const NestedDissection::Part& own = this->Dissection.Parts[part];
-    boundary.clear();
+    std::vector<int>& boundary = this->Fronts[part].Boundary;
     const auto see = [&](int place)
     {
       if (place >= own.End && seenBy[place] != part)
@@ -114,7 +113,6 @@ void MultifrontalCholesky::findBoundaries(const Adjacency& graph)
       }
     }
     std::sort(boundary.begin(), boundary.end());
-    this->Fronts[part].Boundary = boundary; // without unused memory
   }
 }
 
