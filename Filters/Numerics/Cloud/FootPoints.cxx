@@ -46,11 +46,16 @@ void deliverFeet(
           deliver();
           return;
         }
-        // The previous sample is often a neighbor in space: use its triangle as the hint.
-        int hint = -1;
-        for (Index i = (job - 1) * BlockSize; i < std::min(size, job * BlockSize); ++i)
+        // Places are read in a loop of their own, so that the processor waits for many at a time.
+        const Index begin = (job - 1) * BlockSize, end = std::min(size, job * BlockSize);
+        for (Index i = begin; i < end; ++i)
         {
           feet[i].Place = placeOf(first + i);
+        }
+        // The previous sample is often a neighbor in space: use its triangle as the hint.
+        int hint = -1;
+        for (Index i = begin; i < end; ++i)
+        {
           feet[i].Foot = closest(first + i, feet[i].Place, hint);
           hint = feet[i].Foot.Triangle;
         }
@@ -62,18 +67,17 @@ void deliverFeet(
   }
 }
 
-/// Sample, as its place on the Morton curve, and its number among those that are visited.
+/// Sample, and its number among those that are visited.
 struct Visit
 {
-  int Place, Number;
+  int Sample, Number;
 };
 
-/// List the samples idOf(0), ..., idOf(count - 1) in the sequence of the sorted copy.
-std::vector<Visit> visitsAlongCurve(
-  const SortedSamples& sorted, Index count, const std::function<Index(Index)>& idOf, const Run& run)
+/// List the samples idOf(0), ..., idOf(count - 1) in the sequence of all sorted samples.
+std::vector<Visit> visitsAlongCurve(const std::vector<int>& sorted, Index count,
+  const std::function<Index(Index)>& idOf, const Run& run)
 {
-  const auto size = static_cast<Index>(sorted.Ids.size());
-  std::vector<int> numbers(size, -1);
+  std::vector<int> numbers(sorted.size(), -1);
   forBlocks(run, count, BlockSize,
     [&](Index begin, Index end)
     {
@@ -84,12 +88,11 @@ std::vector<Visit> visitsAlongCurve(
     });
   std::vector<Visit> visits;
   visits.reserve(count);
-  for (int place = 0; place < size; ++place)
+  for (const int sample : sorted)
   {
-    const int number = numbers[sorted.Ids[place]];
-    if (number >= 0)
+    if (numbers[sample] >= 0)
     {
-      visits.push_back({ place, number });
+      visits.push_back({ sample, numbers[sample] });
     }
   }
   return visits;
@@ -117,12 +120,12 @@ void forEachFoot(const TrainingSamples& samples, const TriangleTree& surface, In
   { return surface.closestPoint(x, hint); };
   // Beyond this number of sorted samples for each visited one, sorting the visited ones is faster.
   constexpr Index manyForOne = 16;
-  const SortedSamples* const sorted = samples.sorted();
+  const std::vector<int>* const sorted = samples.sorted();
   if (sorted && samples.size() <= manyForOne * count)
   {
     const std::vector<Visit> visits = visitsAlongCurve(*sorted, count, idOf, run);
     deliverFeet(
-      count, [&](Index i) { return Vector3(sorted->Positions.row(visits[i].Place)); }, closest,
+      count, [&](Index i) { return samples[visits[i].Sample]; }, closest,
       [&](Index i, const Vector3& x, const FootPoint& foot) { body(visits[i].Number, x, foot); },
       run);
     return;

@@ -157,28 +157,17 @@ TrainingSamples TrainingSamples::selected(const std::function<bool(Index)>& keep
       }
       return keep(this->firstOfTotal() + sample++);
     });
-  result.Sorted.reset();
+  result.Order = std::make_shared<std::vector<int>>();
   result.Size = result.Kept.size();
   result.OfAll = shareOf(this->Sums, result.Size);
   return result;
 }
 
-void TrainingSamples::sortAlongCurve(const Run& run)
+void TrainingSamples::sortAlongCurve(const Run& run) const
 {
   // The samples are in the cube [-1, 1]^3.
-  auto sorted = std::make_shared<SortedSamples>();
-  sorted->Ids = mortonOrder(
+  *this->Order = mortonOrder(
     this->Size, [&](Index i) { return Vector3(0.5 * ((*this)[i].array() + 1.0)); }, run);
-  sorted->Positions.resize(this->Size, 3);
-  forBlocks(run, this->Size, BlockSize,
-    [&](Index begin, Index end)
-    {
-      for (Index i = begin; i < end; ++i)
-      {
-        sorted->Positions.row(i) = (*this)[sorted->Ids[i]];
-      }
-    });
-  this->Sorted = std::move(sorted);
 }
 
 void TrainingSamples::setNormals(const PointView& normals)

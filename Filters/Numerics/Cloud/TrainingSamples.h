@@ -14,13 +14,6 @@
 
 namespace conformal
 {
-/// Copy of the normalized samples, sorted along a Morton curve (MortonOrder.h).
-struct SortedSamples
-{
-  Points Positions;     ///< normalized samples
-  std::vector<int> Ids; ///< sample of each position
-};
-
 /// Samples for training, called patterns x in X in \cite Liou2008 section 2. Points are not copied.
 /// Each access normalizes the returned point. Normalization moves the weighted centroid of the
 /// samples to the origin. Normalization then scales the largest distance of a sample from the
@@ -69,12 +62,16 @@ public:
   /// @param[in] keep  test of a sample, by its position in the sequence of the samples of all ranks
   TrainingSamples selected(const std::function<bool(Index)>& keep) const;
 
-  /// Keep a sorted copy of the samples of this rank, which later copies of this object share. Loops
-  /// over samples in any sequence, such as forEachFoot(), then read memory that is in the cache.
-  /// The copy needs 28 bytes for each sample.
-  void sortAlongCurve(const Run& run = {});
-  /// Return the copy made by sortAlongCurve(), or null.
-  const SortedSamples* sorted() const { return this->Sorted.get(); }
+  /// Sort the samples of this rank along a Morton curve (MortonOrder.h), for all copies of this
+  /// object. Loops over samples in any sequence, such as forEachFoot(), then read memory that is in
+  /// the cache. The order needs 4 bytes for each sample.
+  void sortAlongCurve(const Run& run = {}) const;
+  /// Return the ids of the samples in the order of sortAlongCurve(). If it was not called, or there
+  /// are no samples, return null.
+  const std::vector<int>* sorted() const
+  {
+    return this->Order->empty() ? nullptr : this->Order.get();
+  }
 
   /// Set the normals of the points: #P by 3 vectors of any length, not copied. A normal that is
   /// zero or not finite is unknown. Call this function either on all ranks or on no rank.
@@ -142,7 +139,7 @@ private:
   NumberView Weights;
   PointView Normals, Scanners;
   const Columns* PatternValues = nullptr;
-  std::shared_ptr<const SortedSamples> Sorted;
+  std::shared_ptr<std::vector<int>> Order = std::make_shared<std::vector<int>>();
   KeptIds Kept; ///< empty if every point is a sample
   conformal::Reduce Sums;
   Index Size = 0;

@@ -212,8 +212,8 @@ void removeSliversOf(ConformalSOMResult& result, const Run& run)
   renew(result.Supported, [](double a, double b) { return std::min(a, b); });
 }
 
-/// Number of samples for each neuron up to which a sorted copy of all samples is kept. With more
-/// samples, an iteration of the fit uses few of them.
+/// Number of samples for each neuron up to which all samples are sorted. With more samples, an
+/// iteration of the fit uses few of them.
 constexpr Index ManyForOne = 100;
 
 /// Map the surface to the sphere, after it was opened where the samples end.

@@ -49,18 +49,6 @@ Columns OverlappingPart::rowsOf(const Columns& whole) const
 }
 
 //------------------------------------------------------------------------------
-void OverlappingPart::copyCore(const Columns& part, Columns& whole) const
-{
-  for (Index c = 0; c < whole.cols(); ++c)
-  {
-    for (Index i = 0; i < this->CoreSize; ++i)
-    {
-      whole(this->Ids[i], c) = part(i, c);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 SparseMatrix OverlappingPart::principalPart(const SparseMatrix& whole) const
 {
   const auto size = static_cast<Index>(this->Ids.size());

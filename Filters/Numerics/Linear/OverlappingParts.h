@@ -24,7 +24,17 @@ struct OverlappingPart
   /// Return the rows of a matrix that belong to the part.
   Columns rowsOf(const Columns& whole) const;
   /// Copy the rows of the core from a matrix of this part to a matrix of all unknowns.
-  void copyCore(const Columns& part, Columns& whole) const;
+  template <typename Matrix>
+  void copyCore(const Matrix& part, Matrix& whole) const
+  {
+    for (Index c = 0; c < whole.cols(); ++c)
+    {
+      for (Index i = 0; i < this->CoreSize; ++i)
+      {
+        whole(this->Ids[i], c) = part(i, c);
+      }
+    }
+  }
   /// Return the rows and columns of a matrix that belong to the part.
   SparseMatrix principalPart(const SparseMatrix& whole) const;
 };

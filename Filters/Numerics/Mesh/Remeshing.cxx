@@ -322,10 +322,15 @@ private:
         std::vector<Operation>& ours = found[begin / BlockSize];
         for (int a = static_cast<int>(begin); a < end; ++a)
         {
+          if (!active[a])
+          {
+            continue; // after the first round, most vertices are not active
+          }
           for (const int b : this->Rings[a])
           {
-            Operation operation = { a, b, 0.0 };
-            if (a < b && (active[a] || active[b]) && proposed(a, b, operation))
+            // An edge with two active ends belongs to the one with the smaller id.
+            Operation operation = { std::min(a, b), std::max(a, b), 0.0 };
+            if ((a < b || !active[b]) && proposed(operation.A, operation.B, operation))
             {
               ours.push_back(operation);
             }

@@ -8,6 +8,7 @@
 #include "Base/Types.h"
 #include "Search/BoxTree.h"
 
+#include <limits>
 #include <vector>
 
 namespace conformal
@@ -41,9 +42,8 @@ public:
   /// @throws Aborted
   TriangleTree(const Points& positions, const Triangles& triangles, const Run& run = {});
 
-  /// After vertices moved, update the bounding boxes of the tree, in O(#F) operations. Pass the
-  /// triangles from which the tree was built.
-  void refit(const Points& positions, const Triangles& triangles, const Run& run = {});
+  /// After vertices moved, update the bounding boxes of the tree, in O(#F) operations.
+  void refit(const Points& positions, const Run& run = {});
 
   /// Find the point of the mesh closest to x. If several triangles have the minimum distance, the
   /// one with the smallest id is returned. The distance is exact up to rounding.
@@ -54,29 +54,29 @@ public:
   FootPoint closestPoint(const Vector3& x, int hint = -1) const;
 
 private:
-  struct Corners
+  // Eight boxes, whose distances from a query point are computed together by SIMD instructions. The
+  // boxes are descendants of a node of the binary tree. Bounds are floats in the tree's frame.
+  struct Node
   {
-    Vector3 A, B, C;
+    Floats Lower[3], Upper[3];
+    int Code[FloatLanes]; ///< of each box: index in Nodes, or negative for a leaf
   };
-  // Four boxes, whose distances from a query point are computed together by SIMD instructions. The
-  // boxes are the grandchildren of a node of the binary tree.
-  struct Quad
-  {
-    Doubles Lower[3], Upper[3];
-    /// Index in Quads of the child of each box; -1 for a leaf or an unused box
-    int Next[DoubleLanes];
-    int First[DoubleLanes]; ///< index in Items of a leaf's first triangle
-    int Count[DoubleLanes]; ///< number of triangles of a leaf; 0 otherwise
-  };
-  int addQuad(const BoxTree& tree, int node, const Run& run);
-  Box boxOf(const Quad& quad, int lane) const;
-  void update(FootPoint& best, const Vector3& x, int place) const;
-  static void measure(const Quad& quad, const double* x, double* distances);
+  struct Branch;
 
-  std::vector<int> Items;      ///< ids of triangles in the sequence of the tree
-  std::vector<Quad> Quads;     ///< nodes of the tree; a parent precedes its children
-  std::vector<Corners> Placed; ///< corners of the triangles in Items
-  std::vector<int> PlaceOf;    ///< index in Items of each triangle
+  static Branch branchAt(const BoxTree& tree, int node);
+  int addNode(const BoxTree& tree, int node, const Run& run);
+  void refitLeaves(Node& node) const;
+  void joinBoxes(Node& node) const;
+  Vector3 inFrame(const Vector3& x) const { return (x - this->Center) * this->Scale; }
+  void update(FootPoint& best, const Vector3& x, int place) const;
+
+  std::vector<int> Items;   ///< ids of triangles in the sequence of the tree
+  std::vector<Node> Nodes;  ///< nodes of the tree; a parent precedes its children
+  Points Positions;         ///< copy of the vertices, which is kept in the cache during queries
+  Triangles Corners;        ///< of the triangles in Items
+  std::vector<int> PlaceOf; ///< index in Items of each triangle
+  Vector3 Center = Vector3::Zero(); ///< origin of the frame
+  double Scale = 1.0;               ///< factor from coordinates to the frame, the cube [-1, 1]^3
 };
 }
 

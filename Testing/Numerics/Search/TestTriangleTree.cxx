@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 using conformal::closestPointOfTriangle;
@@ -76,7 +77,7 @@ TEST(TriangleTree, AgreesWithEveryTriangleInTurn)
       {
         positions.row(i) += 0.5 * randomPoint(random, 1).transpose();
       }
-      tree.refit(positions, sphere.Triangles);
+      tree.refit(positions);
     }
     for (int trial = 0; trial < 500; ++trial)
     {
@@ -98,6 +99,40 @@ TEST(TriangleTree, AgreesWithEveryTriangleInTurn)
         EXPECT_EQ(foot.Triangle, best.Triangle);
         EXPECT_EQ(foot.SquareDistance, best.SquareDistance);
         EXPECT_EQ(foot.Position, best.Position);
+      }
+    }
+  }
+}
+
+// Bounds of boxes are rounded to floats in a frame of the mesh: neither the unit nor the origin of
+// coordinates may change which triangle is found, nor may queries far outside of the mesh.
+TEST(TriangleTree, FindsFeetInAnyUnitAndAtAnyDistance)
+{
+  std::mt19937 random(3);
+  const auto sphere = conformal::makeGeodesicSphere(6);
+  for (const double unit : { 1e-30, 1.0, 1e30 })
+  {
+    for (const double offset : { 0.0, 1e6 })
+    {
+      const Vector3 center = unit * offset * Vector3(1, -2, 3);
+      Points positions = unit * sphere.Positions;
+      positions.rowwise() += center.transpose();
+      const TriangleTree tree(positions, sphere.Triangles);
+      for (const double reach : { 0.5, 3.0, 1e8, 1e30 })
+      {
+        for (int trial = 0; trial < 50; ++trial)
+        {
+          const Vector3 x = center + unit * reach * randomPoint(random, 1);
+          double best = std::numeric_limits<double>::infinity();
+          for (int r = 0; r < sphere.Triangles.rows(); ++r)
+          {
+            best = std::min(best,
+              closestPointOfTriangle(x, positions.row(sphere.Triangles(r, 0)),
+                positions.row(sphere.Triangles(r, 1)), positions.row(sphere.Triangles(r, 2)))
+                .SquareDistance);
+          }
+          EXPECT_EQ(tree.closestPoint(x).SquareDistance, best);
+        }
       }
     }
   }

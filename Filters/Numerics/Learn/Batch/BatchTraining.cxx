@@ -207,7 +207,7 @@ public:
     record.MeanDisplacement = (moved - positions).rowwise().norm().mean();
     this->Network.History.push_back(record);
     positions = moved;
-    this->Surface.refit(positions, this->Network.Triangles, run);
+    this->Surface.refit(positions, run);
     return found.TypicalSquareError;
   }
 

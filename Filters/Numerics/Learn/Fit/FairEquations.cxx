@@ -15,14 +15,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace conformal
 {
 namespace
 {
-using Entries = std::vector<Eigen::Triplet<double>>;
-
 constexpr double MaximumCotangent = 20.0;
 constexpr double ShareOfSharp = 0.01;      // root of the share of the energy around creases
 constexpr double MinimumAnisotropy = 0.03; // ratio of variances by direction
@@ -41,18 +40,18 @@ double randomSign(std::uint64_t number)
   return ((z ^ (z >> 31U)) & 1U) != 0U ? 1.0 : -1.0;
 }
 
-/// Equation of one sample. Rows of all samples are kept, so that only what is needed is stored.
+/// Equation of one sample. Rows of all samples are kept: only what is needed is stored, as floats.
 struct Row
 {
-  Vector3 Barycentric; // of the foot point
-  double SquareDistance, Residual;
+  Eigen::Vector3f Barycentric; // of the foot point
+  float SquareDistance, Residual;
   int Triangle, Sample;
 
   FootPoint foot() const
   {
     FootPoint foot;
     foot.Triangle = this->Triangle;
-    foot.Barycentric = this->Barycentric;
+    foot.Barycentric = this->Barycentric.cast<double>();
     foot.SquareDistance = this->SquareDistance;
     return foot;
   }
@@ -101,11 +100,105 @@ std::vector<Row> rowsOf(const TrainingSamples& samples, const FairSamplesOptions
         return;
       }
       const Vector3 normal = normalAt(mesh.Triangles.row(foot.Triangle), foot.Barycentric, normals);
-      rows.push_back({ foot.Barycentric, foot.SquareDistance, normal.dot(x - foot.Position),
-        foot.Triangle, static_cast<int>(rotation.id(i)) });
+      const double residual = normal.dot(x - foot.Position);
+      rows.push_back({ foot.Barycentric.cast<float>(), static_cast<float>(foot.SquareDistance),
+        static_cast<float>(residual), foot.Triangle, static_cast<int>(rotation.id(i)) });
     },
     steps.next());
   return rows;
+}
+
+/// Places of the entries of a symmetric matrix among its six different ones
+constexpr int PlaceOf[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+
+Eigen::Matrix3d fullMatrix(const SymmetricMatrix& entries)
+{
+  Eigen::Matrix3d matrix;
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int l = 0; l < 3; ++l)
+    {
+      matrix(k, l) = entries[PlaceOf[k][l]];
+    }
+  }
+  return matrix;
+}
+
+/// Compute a value for each index in [0, size) on all threads, and pass the values to a function in
+/// ascending order, on one thread. The result thus does not depend on the number of threads.
+template <typename Compute, typename Use>
+void computeInBlocks(const Run& run, Index size, const Compute& compute, const Use& use)
+{
+  constexpr Index chunkSize = 1 << 14, blockSize = 1 << 9;
+  std::vector<decltype(compute(Index()))> values(std::min(size, chunkSize));
+  for (Index first = 0; first < size; first += chunkSize)
+  {
+    const Index count = std::min(chunkSize, size - first);
+    forBlocks(run, count, blockSize,
+      [&](Index begin, Index end)
+      {
+        for (Index i = begin; i < end; ++i)
+        {
+          values[i] = compute(first + i);
+        }
+      });
+    for (Index i = 0; i < count; ++i)
+    {
+      use(first + i, values[i]);
+    }
+  }
+}
+
+/// Assemble the sum of symmetric matrices of the triangles, on all threads.
+/// @param[in] entry  function that returns the entry of corners k and l in the matrix of triangle r
+template <typename Entry>
+SparseMatrix assembled(const Triangles& corners, Index size, const Entry& entry, const Run& run)
+{
+  constexpr Index blockSize = 1 << 9;
+  const Adjacency around = vertexTriangles(corners, size);
+  SparseMatrix matrix(size, size);
+  const auto forColumns = [&](const auto& body)
+  {
+    forBlocks(run, size, blockSize,
+      [&](Index begin, Index end)
+      {
+        std::vector<int> rows;
+        for (int j = static_cast<int>(begin); j < end; ++j)
+        {
+          rows.clear();
+          for (const int* r = around.begin(j); r != around.end(j); ++r)
+          {
+            rows.insert(rows.end(), &corners(*r, 0), &corners(*r, 0) + 3);
+          }
+          std::sort(rows.begin(), rows.end());
+          rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+          body(j, rows);
+        }
+      });
+  };
+  int* const offsets = matrix.outerIndexPtr();
+  offsets[0] = 0;
+  forColumns(
+    [&](int j, const std::vector<int>& rows) { offsets[j + 1] = static_cast<int>(rows.size()); });
+  std::partial_sum(offsets, offsets + size + 1, offsets);
+  matrix.resizeNonZeros(offsets[size]);
+  forColumns(
+    [&](int j, const std::vector<int>& rows)
+    {
+      std::copy(rows.begin(), rows.end(), matrix.innerIndexPtr() + offsets[j]);
+      double* const values = matrix.valuePtr() + offsets[j];
+      std::fill(values, values + rows.size(), 0.0);
+      for (const int* r = around.begin(j); r != around.end(j); ++r)
+      {
+        const int l = cornerOf(corners, *r, j);
+        for (int k = 0; k < 3; ++k)
+        {
+          values[std::lower_bound(rows.begin(), rows.end(), corners(*r, k)) - rows.begin()] +=
+            entry(*r, k, l);
+        }
+      }
+    });
+  return matrix;
 }
 
 Eigen::Matrix3d fullTensor(const Eigen::Matrix<double, 1, 6>& parts)
@@ -188,11 +281,13 @@ SampleDistances::SampleDistances(const TrainingSamples& samples, const FairSampl
   FixedPointSums sums(SumsPerTriangle * this->Corners.rows());
   for (const Row& row : rows)
   {
-    if (scale.outlying(row.foot(), this->Corners))
+    const FootPoint foot = row.foot();
+    if (scale.outlying(foot, this->Corners))
     {
       continue;
     }
-    const Vector3 weights = weightsAt(this->Corners.row(row.Triangle), row.Barycentric, normals);
+    const Vector3 weights = weightsAt(this->Corners.row(row.Triangle), foot.Barycentric, normals);
+    const double residual = row.Residual;
     const double weight = samples.weight(row.Sample);
     Index place = SumsPerTriangle * row.Triangle;
     for (int k = 0; k < 3; ++k)
@@ -201,9 +296,9 @@ SampleDistances::SampleDistances(const TrainingSamples& samples, const FairSampl
       {
         sums.add(place++, weight * weights[k] * weights[l]);
       }
-      sums.add(place++, weight * weights[k] * row.Residual);
+      sums.add(place++, weight * weights[k] * residual);
     }
-    sums.add(place++, weight * row.Residual * row.Residual);
+    sums.add(place++, weight * residual * residual);
     sums.add(place++, weight);
     sums.add(place, 1.0);
   }
@@ -216,7 +311,7 @@ SampleDistances::SampleDistances(const TrainingSamples& samples, const FairSampl
     {
       for (int l = k; l < 3; ++l)
       {
-        own.Products(k, l) = own.Products(l, k) = sums[place++];
+        own.Products[PlaceOf[k][l]] = sums[place++];
       }
       own.Right[k] = sums[place++];
     }
@@ -229,46 +324,51 @@ SampleDistances::SampleDistances(const TrainingSamples& samples, const FairSampl
 }
 
 //------------------------------------------------------------------------------
-SampleDistances::Sum SampleDistances::sum(const Eigen::VectorXd& precisions) const
+SampleDistances::Sum SampleDistances::sum(
+  const Eigen::VectorXd& precisions, Index numberOfProbes, const Run& run) const
 {
   Sum sum;
   sum.Right = Eigen::VectorXd::Zero(this->Size);
-  sum.Probes = Columns::Zero(this->Size, NumberOfProbes);
-  Entries entries;
-  entries.reserve(9 * this->Sums.size());
-  for (Index r = 0; r < this->Corners.rows(); ++r)
+  sum.Probes = Columns::Zero(this->Size, numberOfProbes);
+  const auto precisionOf = [&](Index r)
   {
-    const OfTriangle& own = this->Sums[r];
     const auto ids = this->Corners.row(r);
-    const double precision = (precisions[ids[0]] + precisions[ids[1]] + precisions[ids[2]]) / 3.0;
-    for (int k = 0; k < 3; ++k)
+    return (precisions[ids[0]] + precisions[ids[1]] + precisions[ids[2]]) / 3.0;
+  };
+  computeInBlocks(
+    run, this->Corners.rows(),
+    [&](Index r)
     {
-      for (int l = 0; l < 3; ++l)
-      {
-        entries.emplace_back(ids[k], ids[l], precision * own.Products(k, l));
-      }
-      sum.Right[ids[k]] += precision * own.Right[k];
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> products(own.Products);
-    // The symmetric root, since rounding may flip eigenvectors.
-    const Eigen::Matrix3d root = products.eigenvectors() *
-      (precision * products.eigenvalues()).cwiseMax(0.0).cwiseSqrt().asDiagonal() *
-      products.eigenvectors().transpose();
-    for (Index p = 0; p < NumberOfProbes; ++p)
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> products(
+        fullMatrix(this->Sums[r].Products));
+      // The symmetric root, since rounding may flip eigenvectors.
+      return Eigen::Matrix3d(products.eigenvectors() *
+        (precisionOf(r) * products.eigenvalues()).cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+        products.eigenvectors().transpose());
+    },
+    [&](Index r, const Eigen::Matrix3d& root)
     {
+      const OfTriangle& own = this->Sums[r];
+      const auto ids = this->Corners.row(r);
+      const double precision = precisionOf(r);
+      sum.Constant += precision * own.Constant;
       for (int k = 0; k < 3; ++k)
       {
-        const double random = randomSign(2 * ((r * NumberOfProbes + p) * 3 + k));
-        for (int l = 0; l < 3; ++l)
+        sum.Right[ids[k]] += precision * own.Right[k];
+        for (Index p = 0; p < numberOfProbes; ++p)
         {
-          sum.Probes(ids[l], p) += random * root(l, k);
+          const double random = randomSign(2 * ((r * NumberOfProbes + p) * 3 + k));
+          for (int l = 0; l < 3; ++l)
+          {
+            sum.Probes(ids[l], p) += random * root(l, k);
+          }
         }
       }
-    }
-    sum.Constant += precision * own.Constant;
-  }
-  sum.Matrix.resize(this->Size, this->Size);
-  sum.Matrix.setFromTriplets(entries.begin(), entries.end());
+    });
+  sum.Matrix = assembled(
+    this->Corners, this->Size,
+    [&](Index r, int k, int l) { return precisionOf(r) * this->Sums[r].Products[PlaceOf[k][l]]; },
+    run);
   return sum;
 }
 
@@ -282,7 +382,7 @@ Eigen::VectorXd SampleDistances::quadraticAt(const Eigen::VectorXd& u, double fa
     const auto ids = this->Corners.row(r);
     const Vector3 v(u[ids[0]], u[ids[1]], u[ids[2]]);
     const double square =
-      v.dot(own.Products * v) + factor * (own.Constant - 2.0 * v.dot(own.Right));
+      v.dot(fullMatrix(own.Products) * v) + factor * (own.Constant - 2.0 * v.dot(own.Right));
     for (int k = 0; k < 3; ++k)
     {
       squares[ids[k]] += square / 3.0;
@@ -318,158 +418,185 @@ Eigen::VectorXd SampleDistances::countsAt() const
 }
 
 //------------------------------------------------------------------------------
-CurvatureChange::CurvatureChange(const Mesh& mesh, const Points& normals)
+CurvatureChange::CurvatureChange(const Mesh& mesh, const Points& normals, const Run& run)
   : Corners(mesh.Triangles)
-  , Slopes(mesh.Triangles.rows())
+  , Places(lowered(mesh, normals))
 {
-  const Triangles& triangles = mesh.Triangles;
-  const Points positions = lowered(mesh, normals);
-  const Index size = positions.rows();
+  const Index size = this->Places.rows();
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(size);
-  Entries entries;
-  entries.reserve(3 * triangles.rows());
-  for (Index r = 0; r < triangles.rows(); ++r)
-  {
-    const auto ids = triangles.row(r);
-    const Vector3 p = positions.row(ids[0]), q = positions.row(ids[1]), s = positions.row(ids[2]);
-    const double area = 0.5 * (q - p).cross(s - p).norm();
-    for (int k = 0; k < 3; ++k)
+  Points cotangents(this->Corners.rows(), 3); // halves of those of the angle at each corner
+  computeInBlocks(
+    run, this->Corners.rows(),
+    [&](Index r)
     {
-      const int i = ids[next(k)], j = ids[previous(k)];
-      const Vector3 corner = positions.row(ids[k]);
-      const double cosine =
-        (Vector3(positions.row(i)) - corner).dot(Vector3(positions.row(j)) - corner);
-      constexpr double smallest = 1e-30;
-      const double cotangent =
-        std::clamp(cosine / std::max(2.0 * area, smallest), -MaximumCotangent, MaximumCotangent);
-      entries.emplace_back(std::min(i, j), std::max(i, j), 0.5 * cotangent);
-      areas[ids[k]] += area / 3.0;
-    }
-  }
-  areas = areas.cwiseMax(MinimumArea * areas.mean());
-  const double minimumArea = MinimumArea * areas.mean();
-  for (Index r = 0; r < triangles.rows(); ++r)
-  {
-    const auto ids = triangles.row(r);
-    const Vector3 p = positions.row(ids[0]), q = positions.row(ids[1]), s = positions.row(ids[2]);
-    Vector3 normal = (q - p).cross(s - p);
-    const double area = 0.5 * normal.norm();
-    normal.stableNormalize();
-    const double root = std::sqrt(std::max(area, minimumArea));
-    this->Slopes[r] << normal.cross(s - q), normal.cross(p - s), normal.cross(q - p);
-    this->Slopes[r] *= 0.5 / root;
-  }
-  SparseMatrix weights(size, size);
-  weights.setFromTriplets(entries.begin(), entries.end());
-  entries.clear();
-  Points laplacian = Points::Zero(size, 3);
-  for (int j = 0; j < size; ++j)
-  {
-    for (SparseMatrix::InnerIterator entry(weights, j); entry; ++entry)
-    {
-      const int i = static_cast<int>(entry.row());
-      const double weight = entry.value();
-      for (const auto& [own, other] : { std::pair(i, j), std::pair(j, i) })
+      const auto ids = this->Corners.row(r);
+      const double area = areaVector(this->Places, this->Corners, r).norm();
+      for (int k = 0; k < 3; ++k)
       {
-        const double share = weight / areas[own];
-        entries.emplace_back(own, own, share);
-        entries.emplace_back(own, other, -share);
-        laplacian.row(own) += share * (positions.row(own) - positions.row(other));
+        const Vector3 corner = this->Places.row(ids[k]);
+        const double cosine = (Vector3(this->Places.row(ids[next(k)])) - corner)
+                                .dot(Vector3(this->Places.row(ids[previous(k)])) - corner);
+        constexpr double smallest = 1e-30;
+        cotangents(r, k) = 0.5 *
+          std::clamp(cosine / std::max(2.0 * area, smallest), -MaximumCotangent, MaximumCotangent);
       }
-    }
-  }
-  this->Change.resize(size, size);
-  this->Change.setFromTriplets(entries.begin(), entries.end());
-  this->Curvatures = laplacian.cwiseProduct(normals).rowwise().sum();
+      return area;
+    },
+    [&](Index r, double area)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        areas[this->Corners(r, k)] += area / 3.0;
+      }
+    });
+  areas = areas.cwiseMax(MinimumArea * areas.mean());
+  this->SmallestArea = MinimumArea * areas.mean();
+  this->Change = assembled(
+    this->Corners, size,
+    [&](Index r, int k, int l) { return k == l ? 0.0 : cotangents(r, 3 - k - l); }, run);
+  // Divide the weights of edges by areas, and set the diagonal.
+  this->Curvatures.resize(size);
+  constexpr Index blockSize = 1 << 9;
+  forBlocks(run, size, blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index j = begin; j < end; ++j)
+      {
+        double* diagonal = nullptr;
+        double sum = 0.0;
+        Vector3 laplacian = Vector3::Zero();
+        for (SparseMatrix::InnerIterator entry(this->Change, j); entry; ++entry)
+        {
+          const Index i = entry.row();
+          if (i == j)
+          {
+            diagonal = &entry.valueRef();
+            continue;
+          }
+          const double share = entry.value() / areas[j];
+          sum += share;
+          laplacian += share * Vector3(this->Places.row(j) - this->Places.row(i));
+          entry.valueRef() = -(entry.value() / areas[i]);
+        }
+        if (diagonal)
+        {
+          *diagonal = sum;
+        }
+        this->Curvatures[j] = laplacian.dot(Vector3(normals.row(j)));
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
-Tensors CurvatureChange::squaresOf(const Eigen::VectorXd& curvatures) const
+Eigen::Matrix3d CurvatureChange::slopesOf(Index r) const
+{
+  const auto ids = this->Corners.row(r);
+  const Vector3 p = this->Places.row(ids[0]), q = this->Places.row(ids[1]),
+                s = this->Places.row(ids[2]);
+  Vector3 normal = (q - p).cross(s - p);
+  const double area = 0.5 * normal.norm();
+  normal.stableNormalize();
+  Eigen::Matrix3d slopes;
+  slopes << normal.cross(s - q), normal.cross(p - s), normal.cross(q - p);
+  return slopes * (0.5 / std::sqrt(std::max(area, this->SmallestArea)));
+}
+
+//------------------------------------------------------------------------------
+Tensors CurvatureChange::squaresOf(const Eigen::VectorXd& curvatures, const Run& run) const
 {
   Tensors squares = Tensors::Zero(curvatures.size(), 6);
-  for (Index r = 0; r < this->Corners.rows(); ++r)
-  {
-    const auto ids = this->Corners.row(r);
-    const Vector3 g = this->Slopes[r] *
-      Vector3(curvatures[ids[0]], curvatures[ids[1]], curvatures[ids[2]]) / std::sqrt(3.0);
-    for (int k = 0; k < 3; ++k)
+  computeInBlocks(
+    run, this->Corners.rows(),
+    [&](Index r)
     {
-      for (int d = 0; d < 3; ++d)
+      const auto ids = this->Corners.row(r);
+      return Vector3(this->slopesOf(r) *
+        Vector3(curvatures[ids[0]], curvatures[ids[1]], curvatures[ids[2]]) / std::sqrt(3.0));
+    },
+    [&](Index r, const Vector3& g)
+    {
+      for (int k = 0; k < 3; ++k)
       {
-        squares(ids[k], d) += g[d] * g[d];
-        squares(ids[k], 3 + d) += g[next(d)] * g[previous(d)];
+        for (int d = 0; d < 3; ++d)
+        {
+          squares(this->Corners(r, k), d) += g[d] * g[d];
+          squares(this->Corners(r, k), 3 + d) += g[next(d)] * g[previous(d)];
+        }
       }
-    }
-  }
+    });
   return squares;
 }
 
 //------------------------------------------------------------------------------
-Tensors CurvatureChange::squaresAt(const Eigen::VectorXd& displacements) const
+Tensors CurvatureChange::squaresAt(const Eigen::VectorXd& displacements, const Run& run) const
 {
-  return this->squaresOf(this->Curvatures + this->Change * displacements);
+  return this->squaresOf(this->Curvatures + this->Change * displacements, run);
 }
 
 //------------------------------------------------------------------------------
-Tensors CurvatureChange::homogeneousSquaresAt(const Eigen::VectorXd& deviations) const
+Tensors CurvatureChange::homogeneousSquaresAt(
+  const Eigen::VectorXd& deviations, const Run& run) const
 {
-  return this->squaresOf(this->Change * deviations);
+  return this->squaresOf(this->Change * deviations, run);
 }
 
 //------------------------------------------------------------------------------
-CurvatureChange::Energy CurvatureChange::energy(
-  const Tensors& variances, const std::vector<bool>& sharp) const
+CurvatureChange::Energy CurvatureChange::energy(const Tensors& variances,
+  const std::vector<bool>& sharp, Index numberOfProbes, const Run& run) const
 {
   const Index size = variances.rows();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(size);
-  Columns probes = Columns::Zero(size, NumberOfProbes);
-  Entries entries;
-  entries.reserve(9 * this->Slopes.size());
-  for (Index r = 0; r < this->Corners.rows(); ++r)
-  {
-    const auto ids = this->Corners.row(r);
-    const Eigen::Matrix3d& slopes = this->Slopes[r];
-    Eigen::Matrix<double, 1, 6> mean = Eigen::Matrix<double, 1, 6>::Zero();
-    for (const int id : ids)
+  Columns probes = Columns::Zero(size, numberOfProbes);
+  std::vector<SymmetricMatrix> products(this->Corners.rows());
+  using Rows = Eigen::Matrix<double, 2, 3>;
+  computeInBlocks(
+    run, this->Corners.rows(),
+    [&](Index r)
     {
-      mean += variances.row(id) / 3.0;
-    }
-    const Eigen::Matrix<double, 3, 2> frame = frameOf(slopes);
-    const Eigen::Matrix2d root = inverseRoot(frame.transpose() * fullTensor(mean) * frame);
-    const bool across = sharp[ids[0]] || sharp[ids[1]] || sharp[ids[2]];
-    const Eigen::Matrix<double, 2, 3> rows =
-      (across ? ShareOfSharp : 1.0) * root * frame.transpose() * slopes;
-    const Eigen::Matrix3d products = rows.transpose() * rows;
-    const Vector3 pulls = products *
-      Vector3(this->Curvatures[ids[0]], this->Curvatures[ids[1]], this->Curvatures[ids[2]]);
-    for (int k = 0; k < 3; ++k)
-    {
-      force[ids[k]] += pulls[k];
-      for (int l = 0; l < 3; ++l)
+      const auto ids = this->Corners.row(r);
+      const Eigen::Matrix3d slopes = this->slopesOf(r);
+      Eigen::Matrix<double, 1, 6> mean = Eigen::Matrix<double, 1, 6>::Zero();
+      for (const int id : ids)
       {
-        entries.emplace_back(ids[k], ids[l], products(k, l));
+        mean += variances.row(id) / 3.0;
       }
-    }
-    for (Index p = 0; p < NumberOfProbes; ++p)
+      const Eigen::Matrix<double, 3, 2> frame = frameOf(slopes);
+      const Eigen::Matrix2d root = inverseRoot(frame.transpose() * fullTensor(mean) * frame);
+      const bool across = sharp[ids[0]] || sharp[ids[1]] || sharp[ids[2]];
+      return Rows((across ? ShareOfSharp : 1.0) * root * frame.transpose() * slopes);
+    },
+    [&](Index r, const Rows& rows)
     {
-      for (int d = 0; d < 2; ++d)
+      const auto ids = this->Corners.row(r);
+      const Eigen::Matrix3d own = rows.transpose() * rows;
+      const Vector3 pulls =
+        own * Vector3(this->Curvatures[ids[0]], this->Curvatures[ids[1]], this->Curvatures[ids[2]]);
+      for (int k = 0; k < 3; ++k)
       {
-        const double random = randomSign(2 * ((r * NumberOfProbes + p) * 2 + d) + 1);
-        for (int k = 0; k < 3; ++k)
+        force[ids[k]] += pulls[k];
+        for (int l = k; l < 3; ++l)
         {
-          probes(ids[k], p) += random * rows(d, k);
+          products[r][PlaceOf[k][l]] = own(k, l);
         }
       }
-    }
-  }
+      for (Index p = 0; p < numberOfProbes; ++p)
+      {
+        for (int d = 0; d < 2; ++d)
+        {
+          const double random = randomSign(2 * ((r * NumberOfProbes + p) * 2 + d) + 1);
+          for (int k = 0; k < 3; ++k)
+          {
+            probes(ids[k], p) += random * rows(d, k);
+          }
+        }
+      }
+    });
   Energy energy;
   energy.Change = &this->Change;
-  energy.Differences.resize(size, size);
-  energy.Differences.setFromTriplets(entries.begin(), entries.end());
-  entries = {}; // releases the memory
-  const SparseMatrix transposed = this->Change.transpose();
-  energy.Force = transposed * force;
-  energy.Probes = transposed * probes;
+  energy.Differences = assembled(
+    this->Corners, size, [&](Index r, int k, int l) { return products[r][PlaceOf[k][l]]; }, run);
+  energy.Force = this->Change.transpose() * force;
+  energy.Probes = this->Change.transpose() * probes;
   return energy;
 }
 

@@ -13,6 +13,7 @@
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshTopology.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -23,6 +24,9 @@ constexpr Index NumberOfProbes = 8; ///< number of random vectors that represent
 /// Symmetric 3 by 3 tensors, one for each of #V vertices, #V by 6. The columns are xx, yy, zz, yz,
 /// xz and xy.
 using Tensors = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+
+/// Symmetric 3 by 3 matrix: entries 00, 01, 02, 11, 12 and 22
+using SymmetricMatrix = std::array<double, 6>;
 
 /// Options that select the samples to which the surface is fitted.
 struct FairSamplesOptions
@@ -44,6 +48,7 @@ struct FairSamplesOptions
 class SampleDistances
 {
 public:
+  /// @param[in] mesh  mesh whose triangles must outlive this object
   /// @param[in] normals  vertex normals, #V by 3
   /// @param[in] neighbors  result of vertexNeighbors() for the triangles of the mesh
   /// @throws Aborted
@@ -65,7 +70,9 @@ public:
   };
   /// @param[in] precisions  precision at each vertex, #V. The precision of a triangle is the mean
   ///   of the precisions at its corners.
-  Sum sum(const Eigen::VectorXd& precisions) const;
+  /// @param[in] numberOfProbes  number of random vectors, at most NumberOfProbes
+  Sum sum(const Eigen::VectorXd& precisions, Index numberOfProbes = NumberOfProbes,
+    const Run& run = {}) const;
 
   /// Compute the sum of squared distances at each vertex after the given moves, #V. Each triangle
   /// contributes a third of its sum to each of its corners.
@@ -91,7 +98,7 @@ public:
 private:
   struct OfTriangle
   {
-    Eigen::Matrix3d Products = Eigen::Matrix3d::Zero();
+    SymmetricMatrix Products{};
     Vector3 Right = Vector3::Zero();
     double Constant = 0.0, Count = 0.0;
   };
@@ -99,7 +106,7 @@ private:
   /// each corner.
   Eigen::VectorXd quadraticAt(const Eigen::VectorXd& u, double factor) const;
 
-  Triangles Corners;
+  const Triangles& Corners;
   Index Size; // number of vertices
   std::vector<OfTriangle> Sums;
   std::vector<double> Masses;
@@ -117,13 +124,14 @@ private:
 class CurvatureChange
 {
 public:
-  CurvatureChange(const Mesh& mesh, const Points& normals);
+  /// @param[in] mesh  mesh whose triangles must outlive this object
+  CurvatureChange(const Mesh& mesh, const Points& normals, const Run& run = {});
 
   /// Compute the tensor g g^T at each vertex, where g is the gradient of the curvature h + C u. The
   /// tensor is integrated over a third of the area of each triangle around the vertex.
-  Tensors squaresAt(const Eigen::VectorXd& displacements) const;
+  Tensors squaresAt(const Eigen::VectorXd& displacements, const Run& run = {}) const;
   /// Compute the tensors g g^T of squaresAt() for the curvature C u, without h.
-  Tensors homogeneousSquaresAt(const Eigen::VectorXd& deviations) const;
+  Tensors homogeneousSquaresAt(const Eigen::VectorXd& deviations, const Run& run = {}) const;
 
   /// Penalty for the change of curvature. The penalty is a sum over all triangles: the squared
   /// gradient of the curvature, divided by the variance of this gradient. As a function of the
@@ -145,15 +153,19 @@ public:
   /// @param[in] variances  expected value of the tensors of squaresAt(), not zero
   /// @param[in] sharp  whether each vertex is on a crease (sharp edge of the object), #V. Triangles
   ///   at a crease have the relative weight 0.0001, which keeps the equations regular.
-  Energy energy(const Tensors& variances, const std::vector<bool>& sharp) const;
+  /// @param[in] numberOfProbes  number of random vectors, at most NumberOfProbes
+  Energy energy(const Tensors& variances, const std::vector<bool>& sharp,
+    Index numberOfProbes = NumberOfProbes, const Run& run = {}) const;
 
 private:
-  Tensors squaresOf(const Eigen::VectorXd& curvatures) const;
+  Tensors squaresOf(const Eigen::VectorXd& curvatures, const Run& run) const;
+  /// Compute the gradients of the barycentric coordinates of a triangle, multiplied by the square
+  /// root of the area.
+  Eigen::Matrix3d slopesOf(Index r) const;
 
-  Triangles Corners;
-  /// Gradients of the barycentric coordinates of each triangle, multiplied by the square root of
-  /// the area.
-  std::vector<Eigen::Matrix3d> Slopes;
+  const Triangles& Corners;
+  const Points Places;        // vertices moved onto a smooth surface
+  double SmallestArea = 0.0;  // of a triangle
   Eigen::VectorXd Curvatures; // h
   SparseMatrix Change;        // C
 };

@@ -135,21 +135,29 @@ public:
   Solution solve(double weight, const Run& run) const
   {
     constexpr Index probes = NumberOfProbes;
-    Columns columns(this->Places.rows(), 1 + 2 * probes);
+    Columns columns(this->Places.rows(), 1 + probes); // displacements, deviations
+    Eigen::VectorXd traces(static_cast<Index>(this->Parts.size()));
     this->forParts(run,
       [&](const OverlappingPart& part, const Run& own)
       {
-        Columns some(static_cast<Index>(part.Ids.size()), columns.cols());
-        some << part.rowsOf(this->Distances.Right - weight * this->Energy.Force),
-          part.rowsOf(this->Distances.Probes), std::sqrt(weight) * part.rowsOf(this->Energy.Probes);
+        const Columns ofDistances = part.rowsOf(this->Distances.Probes);
+        Columns some(ofDistances.rows(), 1 + 2 * probes);
+        some << part.rowsOf(this->Distances.Right - weight * this->Energy.Force), ofDistances,
+          std::sqrt(weight) * part.rowsOf(this->Energy.Probes);
         this->factorizeAt(part, weight, own).solve(some);
+        traces[&part - this->Parts.data()] =
+          ofDistances.topRows(part.CoreSize)
+            .cwiseProduct(some.block(0, 1, part.CoreSize, probes))
+            .sum();
+        some.middleCols(1, probes) += some.rightCols(probes);
+        some.conservativeResize(some.rows(), 1 + probes);
         part.copyCore(some, columns);
       });
     Solution solution;
     solution.Displacements = columns.col(0);
-    solution.Deviations = columns.middleCols(1, probes) + columns.rightCols(probes);
-    const double trace = this->Distances.Probes.cwiseProduct(columns.middleCols(1, probes)).sum();
-    this->evaluate(solution, trace / static_cast<double>(probes));
+    solution.Deviations = columns.rightCols(probes);
+    columns.resize(0, 0);
+    this->evaluate(solution, traces.sum() / static_cast<double>(probes));
     return solution;
   }
 
@@ -157,8 +165,8 @@ public:
   Solution solveByCrossValidation(const Run& run) const
   {
     Columns columns(this->Places.rows(), static_cast<Index>(NumberOfColumns));
-    columns << this->Distances.Right, this->Energy.Force, this->Distances.Probes.col(0),
-      this->Energy.Probes.col(0);
+    columns << this->Distances.Right, this->Energy.Force, this->Distances.Probes,
+      this->Energy.Probes;
     double center = FirstWeight * this->Distances.Matrix.diagonal().sum() /
       (this->keepsEnergy() ? this->KeptEnergy.diagonal().sum() : this->Energy.trace());
     for (int ladder = 1;; ++ladder)
@@ -172,7 +180,7 @@ public:
       for (Index t = 0; t < size; ++t)
       {
         Solution solution;
-        solution.Displacements = trials[t].Values.col(0);
+        solution.Displacements = trials[t].Values.col(0).cast<double>();
         this->evaluate(solution, trials[t].Trace);
         if (solution.Score < best.Score)
         {
@@ -184,7 +192,7 @@ public:
         best.DegreesOfFreedom < EnoughFreedom * static_cast<double>(this->Places.rows());
       if ((!softer && bestTrial + 1 < size) || ladder == MaximumLadders)
       {
-        best.Deviations = trials[bestTrial].Values.col(1);
+        best.Deviations = trials[bestTrial].Values.col(1).cast<double>();
         return best;
       }
       center *= std::pow(10.0, softer ? -LadderMove : LadderMove);
@@ -204,7 +212,7 @@ private:
   /// Solution of one weight: displacements and deviations, and the trace of the influence matrix.
   struct Trial
   {
-    Columns Values;
+    Eigen::MatrixXf Values; // floats, since the solutions of all weights are kept
     double Trace = 0.0;
   };
 
@@ -236,7 +244,7 @@ private:
           Columns values(ofProbe.size(), 2);
           values.col(0) = system.solution(Right, weight) - weight * system.solution(Force, weight);
           values.col(1) = ofProbe + std::sqrt(weight) * system.solution(EnergyProbe, weight);
-          part.copyCore(values, trials[t].Values);
+          part.copyCore(Eigen::MatrixXf(values.cast<float>()), trials[t].Values);
           traces(&part - this->Parts.data(), static_cast<Index>(t)) = part.isWhole()
             ? system.product(Probe, weight)
             : probes.head(part.CoreSize).dot(ofProbe.head(part.CoreSize));
@@ -346,7 +354,8 @@ public:
     {
       throw NumericalFailure("there are no samples to fair a mesh by");
     }
-    const CurvatureChange change(this->Surface, normals);
+    const Run solving = steps.next();
+    const CurvatureChange change(this->Surface, normals, solving.unwatched());
     const std::vector<bool> bare = bareVertices(
       this->Surface.Positions, this->Surface.Triangles, this->Neighbors, distances.masses());
     const std::vector<bool> sharp = sharpVertices(this->Surface, normals);
@@ -355,7 +364,7 @@ public:
     {
       anchors[i] = sharp[i] || this->Creases[i] ? AnchorOfSharp : bare[i] ? 1.0 : 0.0;
     }
-    this->solve(distances, change, anchors, steps.next());
+    this->solve(distances, change, anchors, solving);
     for (Index i = 0; i < this->Surface.Positions.rows(); ++i)
     {
       this->Surface.Positions.row(i) += this->Last.Displacements[i] * normals.row(i);
@@ -404,17 +413,20 @@ private:
   void solve(const SampleDistances& distances, const CurvatureChange& change,
     const Eigen::VectorXd& anchors, const Run& run)
   {
-    SampleDistances::Sum sum = distances.sum(this->Precisions);
-    sum.Matrix.diagonal() += sum.Matrix.diagonal().mean() * anchors;
     const bool first = this->Last.Displacements.size() == 0;
+    const Index probes = first ? 1 : NumberOfProbes;
+    const Run quiet = run.unwatched();
+    SampleDistances::Sum sum = distances.sum(this->Precisions, probes, quiet);
+    sum.Matrix.diagonal() += sum.Matrix.diagonal().mean() * anchors;
     if (first)
     {
       // The noise adds about the same change of curvature everywhere. The first weights thus differ
       // less from vertex to vertex than they should, but ridges and creases are kept.
       this->Changes = this->changesAround(
-        change.squaresAt(Eigen::VectorXd::Zero(this->Ones.size())), FirstChange);
+        change.squaresAt(Eigen::VectorXd::Zero(this->Ones.size()), quiet), FirstChange);
     }
-    const CurvatureChange::Energy energy = change.energy(this->Changes, this->Creases);
+    const CurvatureChange::Energy energy =
+      change.energy(this->Changes, this->Creases, probes, quiet);
     const FairSystem system(
       sum, distances.count(), energy, this->Surface.Positions, this->Neighbors);
     this->Last = first
@@ -424,12 +436,12 @@ private:
 
     const Eigen::VectorXd& moves = this->Last.Displacements;
     const Columns& deviations = this->Last.Deviations;
-    Tensors squareChanges = change.squaresAt(moves);
+    Tensors squareChanges = change.squaresAt(moves, quiet);
     Eigen::VectorXd squares = distances.squaresAt(moves);
     const double share = this->Last.Variance / static_cast<double>(deviations.cols());
     for (Index p = 0; p < deviations.cols(); ++p)
     {
-      squareChanges += share * change.homogeneousSquaresAt(deviations.col(p));
+      squareChanges += share * change.homogeneousSquaresAt(deviations.col(p), quiet);
       squares += share * distances.increaseAt(deviations.col(p));
     }
     this->Changes = this->changesAround(squareChanges, MinimumChange);

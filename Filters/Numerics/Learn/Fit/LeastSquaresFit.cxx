@@ -95,7 +95,7 @@ public:
       this->Equations.solve(this->Positions, stiffness, this->Options.Evenness, steps.next());
     this->Positions += moved;
     steps.next();
-    this->Surface.refit(this->Positions, this->Triangles, this->Threads);
+    this->Surface.refit(this->Positions, this->Threads);
 
     const std::vector<bool> bare =
       bareVertices(this->Positions, this->Triangles, this->Neighbors, this->Masses);

@@ -365,7 +365,7 @@ void alignWithPatternValues(const TrainingSamples& samples, Mesh& mesh, const Ru
   {
     const Run aligning = steps.next();
     const PatternMesh full(mesh, around, values);
-    tree.refit(mesh.Positions, mesh.Triangles, aligning.unwatched());
+    tree.refit(mesh.Positions, aligning.unwatched());
     const Index size = samples.numberOfPatternValues();
     NormalEquations equations(samples, mesh, neighbors, 3);
     NormalEquations valueEquations(samples, mesh, neighbors, size);

@@ -1,5 +1,6 @@
 #include "Learn/Fit/VertexSupport.h"
 
+#include "Base/MortonOrder.h"
 #include "Base/Steps.h"
 #include "Cloud/SampleSpacing.h"
 #include "Mesh/Mesh.h"
@@ -28,14 +29,18 @@ Points normalsAtFeet(const Points& samples, const Points& positions, const Trian
   const TriangleTree& tree, const Run& run)
 {
   Points normals(samples.rows(), 3);
+  // The samples are in the cube [-1, 1]^3. Neighbors on the curve are near the same triangles.
+  const std::vector<int> order = mortonOrder(
+    samples.rows(), [&](Index i) { return Vector3(0.5 * (samples.row(i).array() + 1.0)); },
+    run.unwatched());
   forBlocksReporting(run, samples.rows(), BlockSize,
     [&](Index begin, Index end)
     {
       int hint = -1;
       for (Index i = begin; i < end; ++i)
       {
-        hint = tree.closestPoint(samples.row(i), hint).Triangle;
-        normals.row(i) = areaVector(positions, triangles, hint).stableNormalized();
+        hint = tree.closestPoint(samples.row(order[i]), hint).Triangle;
+        normals.row(order[i]) = areaVector(positions, triangles, hint).stableNormalized();
       }
     });
   return normals;
