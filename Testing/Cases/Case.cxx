@@ -16,6 +16,10 @@ vtkSmartPointer<vtkDataObject> GoodInput(Data takes)
   {
     return SmallPicture();
   }
+  if (takes == Data::Outlines)
+  {
+    return Ellipsoid();
+  }
   return PlacesOnABody();
 }
 }
@@ -42,6 +46,12 @@ Port Good()
 Port Places(unsigned int reads, const std::string& name)
 {
   return { Data::Places, reads, true, false, name };
+}
+
+//------------------------------------------------------------------------------
+Port Outlines(unsigned int reads, const std::string& name)
+{
+  return { Data::Outlines, reads, true, false, name };
 }
 
 //------------------------------------------------------------------------------

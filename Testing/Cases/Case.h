@@ -36,7 +36,8 @@ using Setter = std::function<void(vtkAlgorithm*, vtkPolyData* good)>;
 enum class Data
 {
   Surface,
-  Places, ///< longitudes and latitudes in degrees
+  Places,   ///< longitudes and latitudes in degrees
+  Outlines, ///< lines and polygons in pixels of a map
   Picture,
   Nothing
 };
@@ -62,6 +63,9 @@ Port Good();
 
 /// Return a port for positions on a body, by longitude and latitude.
 Port Places(unsigned int reads, const std::string& name);
+
+/// Return a port for outlines on a map, in pixels.
+Port Outlines(unsigned int reads, const std::string& name);
 
 /// Return a port for a picture.
 Port Picture(const std::string& name = {});

@@ -37,9 +37,8 @@ Case MapOutlines()
 {
   using F = vtkMapOutlines;
   Case all = CaseOf<F>("vtkMapOutlines");
-  // The second input is a surface too: its coordinates are read as pixels.
   Mode outlines = { "",
-    { Surface(BadPoints | BadIds | BadMap), Surface(BadPoints | BadIds, "outlines") },
+    { Surface(BadPoints | BadIds | BadMap), Outlines(BadPoints | BadIds, "outlines") },
     Set<F>(
       [](F* f)
       {

@@ -113,7 +113,7 @@ Outcome RunOn(const TriedPort& tried, const cases::Input& input, double scaleOfO
   }
   // A subnormal keeps nothing of the shape; else the same must come of it as at the scale in [1, 2)
   // that rounds alike: the ellipsoid is symmetric, and rounding decides between equal choices.
-  // Places in degrees have no scale.
+  // Places in degrees and outlines in pixels have no scale.
   const bool isSurface = tried.Mode.Ports[tried.Port].Takes == cases::Data::Surface;
   if (isSurface && input.Scale != 1.0 && input.Scale >= std::numeric_limits<double>::min() &&
     (!tried.Mode.hasOthers() || scaleOfOthers == input.Scale))

@@ -1,6 +1,7 @@
 #include "Body/MapLabels.h"
 
 #include "Base/Steps.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Search/TriangleTree.h"
 
 #include <Eigen/Eigenvalues>
@@ -403,6 +404,7 @@ MapLabels measureMapLabels(
     throw std::invalid_argument("labels need a surface with triangles, and a map with as many "
                                 "pixels as labels");
   }
+  requireFiniteTriangles(body.Positions, body.Triangles);
   Steps steps(run, { 0.3, 0.5, 0.15, 0.05 }); // pixels, areas, perimeters, centroids
   Points positions = Points::Zero(size, 3);
   std::vector<unsigned char> isInMap(size, 0);

@@ -2,6 +2,7 @@
 
 #include "Base/Steps.h"
 #include "Body/MapParts.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Sphere/SphereLocator.h"
 #include "Sphere/SphereOrientation.h"
 
@@ -241,17 +242,7 @@ std::vector<SurfaceOutline> measureMapOutlines(const MappedMesh& body, const Map
   {
     throw std::invalid_argument("outlines need a surface with triangles, and a map with pixels");
   }
-  for (Index r = 0; r < body.Triangles.rows(); ++r)
-  {
-    for (const int id : body.Triangles.row(r))
-    {
-      if (!body.Positions.row(id).allFinite())
-      {
-        throw std::invalid_argument("a triangle of the surface has a point whose coordinates are "
-                                    "not finite; remove such triangles");
-      }
-    }
-  }
+  requireFiniteTriangles(body.Positions, body.Triangles);
   const double farthest = 10.0 * double(std::max(image.Grid.Width, image.Grid.Height));
   bool hasArea = false;
   for (const MapOutline& outline : outlines)

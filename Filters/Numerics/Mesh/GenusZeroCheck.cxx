@@ -397,6 +397,22 @@ double signedVolume(const PointView& points, const Triangles& triangles)
 }
 
 //------------------------------------------------------------------------------
+void requireFiniteTriangles(const Points& points, const Triangles& triangles)
+{
+  for (Index r = 0; r < triangles.rows(); ++r)
+  {
+    for (const int id : triangles.row(r))
+    {
+      if (!points.row(id).allFinite())
+      {
+        throw std::invalid_argument("a triangle of the surface has a point whose coordinates are "
+                                    "not finite; remove such triangles");
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 double surfaceArea(const PointView& points, const Triangles& triangles)
 {
   double area = 0.0;

@@ -94,6 +94,10 @@ void requireGenusZero(const Triangles& triangles, Index numberOfVertices, const 
 /// counter-clockwise seen from outside.
 double signedVolume(const PointView& points, const Triangles& triangles);
 
+/// Require that the corners of all triangles are finite.
+/// @throws std::invalid_argument otherwise
+void requireFiniteTriangles(const Points& points, const Triangles& triangles);
+
 /// Compute the sum of the areas of the triangles.
 double surfaceArea(const PointView& points, const Triangles& triangles);
 

@@ -160,4 +160,7 @@ TEST(MapLabels, SameBitsOnAnyThreadsAndStops)
   EXPECT_EQ(one.Measures[0].Centroid, two.Measures[0].Centroid);
   EXPECT_THROW(measureMapLabels(ball, image, labels, runs::stoppingAt(0.5)), conformal::Aborted);
   EXPECT_THROW(measureMapLabels(ball, image, { 1, 2 }), std::invalid_argument);
+  MappedMesh broken = ball;
+  broken.Positions(5, 1) = std::nan("");
+  EXPECT_THROW(measureMapLabels(broken, image, labels), std::invalid_argument);
 }
