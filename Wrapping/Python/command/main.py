@@ -9,6 +9,7 @@ import sys
 from vtkmodules.vtkCommonCore import vtkVersion
 
 import conformalsom
+from conformalsom.messages import FilterFailed
 
 from . import details, jobs, outputs, pictures, presets, surfaces, textures
 from .plan import METERS, WrongUsage, expect_directions, expect_utf8, paths_of, positive
@@ -260,10 +261,8 @@ def subcommand(argv):
 def guarded(work):
     """Call work() with a bar, and end as asked by signals; returns the exit status."""
     jobs.silence()
-    bar, interruption = Bar(), Interruption()
-    for number in jobs.SIGNALS:
-        if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, interruption)
+    bar = Bar()
+    jobs.handle_signals(Interruption())
     try:
         return work(bar)
     except Interrupted as interrupted:
@@ -275,7 +274,7 @@ def guarded(work):
     except BrokenPipeError:  # nobody reads on
         drop_output()
         return 1
-    except (ValueError, OSError) as error:
+    except (ValueError, OSError, FilterFailed, MemoryError) as error:
         bar.clear()
         complain(jobs.message_of(error))
         drop_output()

@@ -6,7 +6,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from conformalsom import vtkBodyMap, vtkBodyMapImage
 
-from . import geotiff, labels, map_picture, mapped_files, outputs, pictures, scan_files
+from . import geotiff, jobs, labels, map_picture, mapped_files, outputs, pictures, scan_files
 from .plan import METERS, Checks, WrongUsage, expect_extension, expect_utf8, parsed
 from .progress import printable
 from .steps import Steps
@@ -92,6 +92,7 @@ def expect_sense(options):
 def run(options, _):
     """Read, map, draw and write; returns the exit status."""
     steps = Steps()
+    jobs.handle_signals(steps.interrupt)  # aborts the filter that runs: VTK drops what an observer raises
     surface = mapped_files.read(options.body, AREA_BALANCE, steps)
     meters = labels.meters_of(surface, options.unit, "km", steps)
     name = labels.target_of(surface) or mapped_files.name_of(options.body)
@@ -103,7 +104,8 @@ def run(options, _):
     bands = bands_of(options, body.GetOutput(), meters, steps)
     points = vtk_to_numpy(body.GetOutput().GetPointData().GetArray("Radius")) * meters
     with outputs.whole(options.output, files=[options.output], overwrite=options.overwrite) as path:
-        geotiff.write(path, bands, options.central_longitude, name, float(points.mean()), options.crs)
+        with outputs.named_errors(options.output):
+            geotiff.write(path, bands, options.central_longitude, name, float(points.mean()), options.crs)
     if options.picture:
         write_picture(options, bands, name, steps)
     for warning in steps.warnings:
