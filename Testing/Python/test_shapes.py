@@ -94,6 +94,11 @@ def triangles_of(data):
     return vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
 
+def temporaries_of(folder):
+    """Folders of unfinished files that are left."""
+    return glob.glob(folder + "/**/.conformalsom-*", recursive=True)
+
+
 def results_of(folder):
     """Contents of all files but those of the work."""
     return {name: data for name, data in files_in(folder).items() if not name.startswith("work" + os.sep)}
@@ -265,6 +270,7 @@ class TestStops(unittest.TestCase):
         run = command(self.folder, "shapes", *self.names, "-o", folder, *SMALL, *arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual([line for line in run.stderr.splitlines() if " note: " not in line], [])
+        self.assertEqual(temporaries_of(os.path.join(self.folder, folder)), [])
         return results_of(os.path.join(self.folder, folder))
 
     def test_a_call_continues_after_a_stop_with_the_same_bytes(self):
@@ -307,6 +313,15 @@ class TestStops(unittest.TestCase):
         shutil.rmtree(os.path.join(self.folder, "study"))
         two = self.study("study", "--jobs", "2")
         self.assertEqual([name for name in one if one[name] != two.get(name)], [])
+
+    def test_an_error_leaves_no_files(self):
+        folder = os.path.join(self.folder, "study")
+        os.makedirs(os.path.join(folder, "mean.vtp"))
+        os.mkdir(os.path.join(folder, "work"))
+        run = command(self.folder, "shapes", *self.names, "-o", "study", *SMALL)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("mean.vtp is not a regular file", run.stderr)
+        self.assertEqual(sorted(os.listdir(folder)), ["mean.vtp", "work"])
 
     def test_scans_are_added_and_results_replaced(self):
         self.study("study")
