@@ -25,6 +25,7 @@ from browser import CHROMIUM, Browser
 from conformalsom.command import movie
 from helpers.moving_cells import (
     GROWTH, SIZE, SPACING, angles, cells, frame_of, image_of, positions_of_cells, rotation, sphere_positions)
+from samples import write_las
 
 try:
     import tifffile
@@ -203,6 +204,24 @@ class TestMovie(unittest.TestCase):
         completed = self.run_movie(*names, "-o", self.path("none.tif"), "--array", "Nothing", status=1)
         self.assertIn("no point array Nothing; there are", completed.stderr)
         self.assertFalse(os.path.exists(self.path("none.tif")))
+
+    def test_frames_far_from_the_origin_stay_where_they_are(self):
+        """Clouds that move by 0.2 across the middle between two integers, to which their reader rounds their centers."""
+        points = vtk_to_numpy(head(0, 12).GetPoints().GetData())
+        middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        for step in range(STEPS):
+            write_las(self.path(f"scan{step}.las"), points - middle + [0.4 + 0.2 * step, 0.0, 0.0], (5e5, 5.4e6, 300.0))
+        completed = self.run_movie(*(self.path(f"scan{step}.las") for step in range(STEPS)), "-o", self.path("map.tif"),
+                                   "--size", "32", "--surfaces", self.path("s"), "--table", self.path("map.csv"))
+        self.assertEqual(completed.stderr.count("500000 5400000 300 is subtracted"), 1)
+        centers = []
+        for step in range(STEPS):
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(self.path(f"s/scan{step}.vtp"))
+            reader.Update()
+            centers.append(np.mean(np.reshape(reader.GetOutput().GetBounds(), (3, 2)), axis=1))
+        np.testing.assert_allclose(centers[1] - centers[0], [0.2, 0.0, 0.0], atol=0.02)
+        self.assertLess(float(rows_of(self.path("map.csv"))[1]["mean_normal_speed"]), 0.2)
 
     def test_broken_frames_are_skipped_and_named(self):
         with open(self.frame("frame1.tif"), "rb") as whole, open(self.path("torn.tif"), "wb") as torn:

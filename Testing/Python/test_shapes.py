@@ -21,6 +21,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from browser import CHROMIUM, Browser
 from conformalsom import (
     vtkConformalPLYReader, vtkConformalPLYWriter, vtkGeodesicSphereSource, vtkSphericalTemplate, vtkTextCloudWriter)
+from samples import write_las
 from test_command import COMMAND, command, files_in, read, write
 
 NUMBER = 12
@@ -402,6 +403,23 @@ class TestLandmarks(unittest.TestCase):
         self.assertEqual({path: os.stat(path).st_mtime_ns for path in maps},
                          {path: time_ for path, time_ in files.items() if path in maps})
         self.assertEqual(len(maps), 3)
+
+    def test_landmarks_have_the_coordinates_of_the_file(self):
+        """Scans far from the origin, from which their reader subtracts a vector: the landmarks do the same there as near."""
+        places = [points_of(read(vtkConformalPLYReader(), self.folder, name)) for name in self.names]
+        self.names, offset = [f"scan {i}.las" for i in range(3)], np.array((5e5, 5.4e6, 300.0))
+        scores = []
+        for far in (0.0, 1.0):
+            lines = ["scan,name,x,y,z"]
+            for name, points, ids in zip(self.names, places, self.ids):
+                write_las(os.path.join(self.folder, name), points, far * offset)
+                lines += [f"{name},L{k},{','.join(map(repr, (points[point] + far * offset).tolist()))}"
+                          for k, point in enumerate(ids)]
+            with open(os.path.join(self.folder, "landmarks.csv"), "w", encoding="utf-8") as file:
+                file.write("\n".join(lines))
+            self.study("--landmarks", "landmarks.csv", "--overwrite")
+            scores.append([float(row["mode1"]) for row in table(self.folder, "study", "scores.csv")])
+        np.testing.assert_allclose(np.abs(scores[1]), np.abs(scores[0]), atol=0.02)
 
     def test_landmarks_of_another_scan_are_refused(self):
         self.write_landmarks(self.ids)
