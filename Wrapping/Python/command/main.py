@@ -208,13 +208,13 @@ def run(options, all_paths, bar):
 
 
 def drop_output():
-    """Let what could not be printed go, lest Python tries again at its end."""
+    """Discard output that could not be printed, so that Python does not print it again at exit."""
     if sys.stdout:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def occupy_standard_streams():
-    """Open what is closed among the first three descriptors, lest a file or a pipe becomes one of them."""
+    """Open closed standard streams, so that no file gets descriptor 0, 1 or 2."""
     while True:
         descriptor = os.open(os.devnull, os.O_RDWR)
         if descriptor > 2:

@@ -46,7 +46,7 @@ def make_parser():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("body", metavar="BODY", help="file with a closed surface without handles (.tab, .obj, .ply ...)")
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="GeoTIFF to write (.tif or .tiff)")
-    parser.add_argument("--unit", choices=METERS, help="of the coordinates in BODY; default: that of the label "
+    parser.add_argument("--unit", choices=METERS, help="unit of the coordinates in BODY; default: that of the label "
                         "beside BODY (.lbl or .xml of the Planetary Data System), else km")
     parser.add_argument("--width", type=width, default=2000, metavar="N",
                         help="width in pixels, twice the height; in [16, 40000], default 2000")
@@ -55,9 +55,9 @@ def make_parser():
                              "farthest from the center. map: those of a map to the sphere, in which every point of "
                              "the surface has its own pixel; no catalog has these. Default planetocentric")
     parser.add_argument("--central-longitude", type=float, default=0.0, metavar="DEGREES",
-                        help="in the middle of the map, east; in [-360, 360], default 0")
+                        help="east longitude in the middle of the map; in [-360, 360], default 0")
     parser.add_argument("--center", nargs=3, type=float, default=(0.0, 0.0, 0.0), metavar=("X", "Y", "Z"),
-                        help="of the body, in the unit of BODY; default 0 0 0")
+                        help="center of the body, in the unit of BODY; default 0 0 0")
     parser.add_argument("--axis", nargs=3, type=float, default=(0.0, 0.0, 1.0), metavar=("X", "Y", "Z"),
                         help="direction of north; default 0 0 1")
     parser.add_argument("--crs", metavar="CODE", help="coordinate reference system as GDAL knows it, such as "
