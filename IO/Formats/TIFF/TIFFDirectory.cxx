@@ -48,6 +48,12 @@ bool isRead(std::uint16_t tag)
   return false;
 }
 
+// Whether a tag describes the whole stack, so that only that of the first page is used.
+bool isOfStack(TIFFTag tag)
+{
+  return tag == TIFFTag::Description || tag == TIFFTag::XResolution || tag == TIFFTag::YResolution;
+}
+
 bool isArray(TIFFTag tag)
 {
   return tag == TIFFTag::StripOffsets || tag == TIFFTag::StripByteCounts;
@@ -230,9 +236,9 @@ void TIFFFile::readEntry(
 {
   constexpr std::uint16_t text = 2, rational = 5;
   const bool isText = tag == TIFFTag::Description;
-  if (isText != (type == text) || (isText && result.Offset != this->First))
+  if (isText != (type == text) || (isOfStack(tag) && result.Offset != this->First))
   {
-    return; // only the description of the first page counts
+    return;
   }
   if (isText || isArray(tag))
   {

@@ -47,8 +47,8 @@ enum class TIFFTag : std::uint16_t
 };
 
 /// Directory of one page: numbers of each tag, none of which is negative. Rational numbers are
-/// quotients. Of tags other than strips, only the first number is read. Only the first page has a
-/// description.
+/// quotients. Of tags other than strips, only the first number is read. Only the first page has
+/// a description and resolutions.
 struct TIFFDirectory
 {
   std::map<TIFFTag, std::vector<double>> Numbers;
