@@ -1,4 +1,6 @@
 """A surface and texts of files that several tests of the package use."""
+import struct
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -21,6 +23,16 @@ def torus(around=12, along=30):
     made.GetPoints().SetData(numpy_to_vtk(points, deep=1))
     made.SetPolys(cells)
     return made
+
+
+def write_las(path, points, offset):
+    """Write a LAS file of points plus an offset, rounded to multiples of 0.0001."""
+    count = len(points)
+    header = struct.pack("<4sHHIHH8sBB32s32sHHHIIBHI5I12d", b"LASF", 0, 0, 0, 0, 0, b"", 1, 2, b"", b"", 1, 2026, 227, 227,
+                         0, 0, 20, count, count, 0, 0, 0, 0, *[1e-4] * 3, *offset, *[0.0] * 6)
+    records = b"".join(struct.pack("<3i8x", *(round(1e4 * number) for number in point)) for point in points)
+    with open(path, "wb") as file:
+        file.write(header + records)
 
 
 PLY = """ply

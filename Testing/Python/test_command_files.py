@@ -4,7 +4,6 @@ import contextlib
 import errno
 import os
 import stat
-import struct
 import subprocess
 import tempfile
 import unittest
@@ -14,6 +13,7 @@ from unittest import mock
 import conformalsom
 from conformalsom.command import main, outputs, plan, scan_files
 from conformalsom.messages import heard
+from samples import write_las
 from test_command import COARSE, COMMAND, command, egg, files_in, textures, write
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -358,13 +358,8 @@ class TestWords(Folder):
 
     def test_coordinates_of_maps(self):
         """A LAS file far from the origin: the subtracted vector is shown."""
-        count, offset = 2000, (500000.0, 5400000.0, 300.0)
-        points = [egg().GetPoint(i % egg().GetNumberOfPoints()) for i in range(count)]
-        header = struct.pack("<4sHHIHH8sBB32s32sHHHIIBHI5I12d", b"LASF", 0, 0, 0, 0, 0, b"", 1, 2, b"", b"", 1, 2026, 227, 227,
-                             0, 0, 20, count, count, 0, 0, 0, 0, *[1e-4] * 3, *offset, *[0.0] * 6)
-        records = b"".join(struct.pack("<3i8x", *(round(1e4 * number) for number in point)) for point in points)
-        with open(self.file("map.las"), "wb") as file:
-            file.write(header + records)
+        points = [egg().GetPoint(i % egg().GetNumberOfPoints()) for i in range(2000)]
+        write_las(self.file("map.las"), points, (500000.0, 5400000.0, 300.0))
         run = command(self.folder, "map.las", *COARSE, "-o", "map.ply")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertRegex(run.stderr, "Read the scan: coordinates are large; [0-9]+ [0-9]+ [0-9]+ is subtracted")

@@ -1,11 +1,17 @@
 """conformalsom map: GeoTIFF files as GDAL reads them. Skipped without packages python3-gdal and gdal-bin."""
+import contextlib
+import io
 import json
 import os
+import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+from unittest import mock
 
 import numpy as np
 from vtkmodules.vtkIOPLY import vtkPLYWriter
@@ -13,7 +19,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from conformalsom import vtkConformalPLYReader, vtkGeodesicSphereSource
-from conformalsom.command import map_picture
+from conformalsom.command import jobs, main, map_picture, maps
 
 try:
     from osgeo import gdal
@@ -22,13 +28,27 @@ except ImportError:
     gdal = None
 
 COMMAND = os.environ.get("CONFORMALSOM_COMMAND")
+PROGRAM = [COMMAND] if COMMAND else [sys.executable, "-m", "conformalsom"]
 RADII = np.array([3.0, 2.0, 1.5])  # km
 
 
-def conformalsom(*words):
+def conformalsom(*words, **options):
     """Run the command; returns the finished process."""
-    words = ([COMMAND] if COMMAND else [sys.executable, "-m", "conformalsom"]) + [str(word) for word in words]
-    return subprocess.run(words, capture_output=True, text=True)
+    return subprocess.run([*PROGRAM, *map(str, words)], capture_output=True, text=True, **options)
+
+
+def write_ellipsoid(path, frequency):
+    """Write the surface of an ellipsoid."""
+    source = vtkGeodesicSphereSource()
+    source.SetFrequency(frequency)
+    source.Update()
+    surface, points = source.GetOutput(), vtkPoints()
+    points.SetData(numpy_to_vtk(vtk_to_numpy(surface.GetPoints().GetData()) * RADII, deep=True))
+    surface.SetPoints(points)
+    writer = vtkPLYWriter()
+    writer.SetInputData(surface)
+    writer.SetFileName(path)
+    writer.Write()
 
 
 @unittest.skipUnless(gdal and shutil.which("gdalinfo"), "python3-gdal or gdal-bin is not installed")
@@ -37,16 +57,7 @@ class TestMap(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory(prefix="map f\u00fcr ")
         cls.body = os.path.join(cls.temporary.name, "Ellipsoid.ply")
-        source = vtkGeodesicSphereSource()
-        source.SetFrequency(40)
-        source.Update()
-        surface, points = source.GetOutput(), vtkPoints()
-        points.SetData(numpy_to_vtk(vtk_to_numpy(surface.GetPoints().GetData()) * RADII, deep=True))
-        surface.SetPoints(points)
-        writer = vtkPLYWriter()
-        writer.SetInputData(surface)
-        writer.SetFileName(cls.body)
-        writer.Write()
+        write_ellipsoid(cls.body, 40)
         cls.path = os.path.join(cls.temporary.name, "map.tif")
         cls.made = conformalsom("map", cls.body, "-o", cls.path, "--width", 360, "--central-longitude", 180)
         assert cls.made.returncode == 0, cls.made.stderr
@@ -160,6 +171,37 @@ class TestMap(unittest.TestCase):
         for path in (picture, target):
             os.unlink(path)
 
+    def test_signals_stop_filters_and_leave_no_file(self):
+        """A signal while a filter runs ends the command by this signal, long before the filter would end."""
+        large = self.path_of("large.ply")
+        self.addCleanup(os.unlink, large)
+        write_ellipsoid(large, 300)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with self.subTest(number):
+                words = [*PROGRAM, "map", large, "-o", self.path_of("stopped.tif")]
+                process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                self.addCleanup(process.kill)
+                self.assertTrue(process.stdout.readline().startswith("Read large"))  # next, the surface is mapped
+                time.sleep(1.0)
+                process.send_signal(number)
+                told, errors = process.communicate(timeout=60)
+                self.assertEqual((process.returncode, told, errors), (-number, "", ""))
+        self.assertEqual(sorted(os.listdir(self.temporary.name)), ["Ellipsoid.ply", "large.ply", "map.tif"])
+
+    def expect_one_line(self, finished, text):
+        """Expect that the command failed with a line that has a text."""
+        self.assertEqual(finished.returncode, 1)
+        self.assertRegex(finished.stderr, r"^conformalsom: .*\n$")
+        self.assertIn(text, finished.stderr)
+
+    def test_lack_of_memory_is_an_error_in_one_line(self):
+        """Errors of NumPy, which filters do not report."""
+        with mock.patch.object(maps, "bands_of", side_effect=MemoryError), mock.patch.object(
+                jobs, "silence"), mock.patch.object(jobs, "handle_signals"), contextlib.redirect_stdout(
+                io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as told, mock.patch.object(main, "drop_output"):
+            status = main.main(["map", self.body, "-o", self.path_of("new.tif")])
+        self.assertEqual((status, told.getvalue()), (1, "conformalsom: there is not enough memory\n"))
+
     def test_what_cannot_work_is_said_and_nothing_is_written(self):
         target = self.path_of("new.tif")
         for words, text in [(("-o", self.path_of("new.png")), "expected a file of type .tif"),
@@ -171,9 +213,9 @@ class TestMap(unittest.TestCase):
                 result = conformalsom("map", self.body, *words)
                 self.assertEqual(result.returncode, 2)
                 self.assertIn(text, result.stderr)
-        result = conformalsom("map", self.body, "-o", target, "--center", 9, 9, 9)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn("does not intersect", result.stderr)
+        self.expect_one_line(conformalsom("map", self.body, "-o", target, "--center", 9, 9, 9), "does not intersect")
+        self.expect_one_line(conformalsom("map", self.body, "-o", target, preexec_fn=lambda: resource.setrlimit(
+            resource.RLIMIT_FSIZE, (20000, 20000))), "new.tif: GDAL cannot write it: ")
         self.assertEqual(sorted(os.listdir(self.temporary.name)), ["Ellipsoid.ply", "map.tif"])
 
 

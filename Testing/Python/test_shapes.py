@@ -21,6 +21,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from browser import CHROMIUM, Browser
 from conformalsom import (
     vtkConformalPLYReader, vtkConformalPLYWriter, vtkGeodesicSphereSource, vtkSphericalTemplate, vtkTextCloudWriter)
+from samples import write_las
 from test_command import COMMAND, command, files_in, read, write
 
 NUMBER = 12
@@ -92,6 +93,11 @@ def points_of(data):
 
 def triangles_of(data):
     return vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def temporaries_of(folder):
+    """Folders of unfinished files that are left."""
+    return glob.glob(folder + "/**/.conformalsom-*", recursive=True)
 
 
 def results_of(folder):
@@ -265,6 +271,7 @@ class TestStops(unittest.TestCase):
         run = command(self.folder, "shapes", *self.names, "-o", folder, *SMALL, *arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual([line for line in run.stderr.splitlines() if " note: " not in line], [])
+        self.assertEqual(temporaries_of(os.path.join(self.folder, folder)), [])
         return results_of(os.path.join(self.folder, folder))
 
     def test_a_call_continues_after_a_stop_with_the_same_bytes(self):
@@ -307,6 +314,15 @@ class TestStops(unittest.TestCase):
         shutil.rmtree(os.path.join(self.folder, "study"))
         two = self.study("study", "--jobs", "2")
         self.assertEqual([name for name in one if one[name] != two.get(name)], [])
+
+    def test_an_error_leaves_no_files(self):
+        folder = os.path.join(self.folder, "study")
+        os.makedirs(os.path.join(folder, "mean.vtp"))
+        os.mkdir(os.path.join(folder, "work"))
+        run = command(self.folder, "shapes", *self.names, "-o", "study", *SMALL)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("mean.vtp is not a regular file", run.stderr)
+        self.assertEqual(sorted(os.listdir(folder)), ["mean.vtp", "work"])
 
     def test_scans_are_added_and_results_replaced(self):
         self.study("study")
@@ -387,6 +403,23 @@ class TestLandmarks(unittest.TestCase):
         self.assertEqual({path: os.stat(path).st_mtime_ns for path in maps},
                          {path: time_ for path, time_ in files.items() if path in maps})
         self.assertEqual(len(maps), 3)
+
+    def test_landmarks_have_the_coordinates_of_the_file(self):
+        """Scans far from the origin, from which their reader subtracts a vector: the landmarks do the same there as near."""
+        places = [points_of(read(vtkConformalPLYReader(), self.folder, name)) for name in self.names]
+        self.names, offset = [f"scan {i}.las" for i in range(3)], np.array((5e5, 5.4e6, 300.0))
+        scores = []
+        for far in (0.0, 1.0):
+            lines = ["scan,name,x,y,z"]
+            for name, points, ids in zip(self.names, places, self.ids):
+                write_las(os.path.join(self.folder, name), points, far * offset)
+                lines += [f"{name},L{k},{','.join(map(repr, (points[point] + far * offset).tolist()))}"
+                          for k, point in enumerate(ids)]
+            with open(os.path.join(self.folder, "landmarks.csv"), "w", encoding="utf-8") as file:
+                file.write("\n".join(lines))
+            self.study("--landmarks", "landmarks.csv", "--overwrite")
+            scores.append([float(row["mode1"]) for row in table(self.folder, "study", "scores.csv")])
+        np.testing.assert_allclose(np.abs(scores[1]), np.abs(scores[0]), atol=0.02)
 
     def test_landmarks_of_another_scan_are_refused(self):
         self.write_landmarks(self.ids)

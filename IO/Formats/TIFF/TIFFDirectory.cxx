@@ -3,6 +3,8 @@
 #include "Bytes/ByteOrder.h"
 #include "Bytes/FileValues.h"
 
+#include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -45,6 +47,24 @@ bool isRead(std::uint16_t tag)
   }
   return false;
 }
+
+// Whether a tag describes the whole stack, so that only that of the first page is used.
+bool isOfStack(TIFFTag tag)
+{
+  return tag == TIFFTag::Description || tag == TIFFTag::XResolution || tag == TIFFTag::YResolution;
+}
+
+bool isArray(TIFFTag tag)
+{
+  return tag == TIFFTag::StripOffsets || tag == TIFFTag::StripByteCounts;
+}
+}
+
+//------------------------------------------------------------------------------
+int TIFFDirectory::whole(TIFFTag tag, int otherwise) const
+{
+  const double value = this->number(tag, otherwise);
+  return static_cast<int>(std::min(value, double(std::numeric_limits<int>::max())));
 }
 
 //------------------------------------------------------------------------------
@@ -83,6 +103,10 @@ TIFFFile::TIFFFile(OpenInput open, const ParseLimits& limits)
 //------------------------------------------------------------------------------
 void TIFFFile::seek(std::uint64_t offset)
 {
+  if (this->Input.size() > 0 && this->Input.seek(offset))
+  {
+    return;
+  }
   if (this->Input.size() == 0 || offset < this->Input.offset())
   {
     ByteReader fresh;
@@ -119,8 +143,9 @@ std::uint64_t TIFFFile::number(int bytes)
 }
 
 //------------------------------------------------------------------------------
-std::vector<TIFFDirectory> TIFFFile::directories(bool isFirstOnly)
+std::vector<TIFFDirectory> TIFFFile::directories(const Run& run)
 {
+  constexpr std::size_t pagesPerReport = 256;
   std::vector<TIFFDirectory> all;
   std::set<std::uint64_t> visited;
   for (std::uint64_t next = this->First; next != 0;)
@@ -130,9 +155,10 @@ std::vector<TIFFDirectory> TIFFFile::directories(bool isFirstOnly)
       this->Input.fail(ParseCode::Malformed, "the pages of the file refer to each other in a loop");
     }
     all.push_back(this->directory(next));
-    if (isFirstOnly)
+    if (all.size() % pagesPerReport == 0)
     {
-      break;
+      run.report(
+        double(std::min(this->BytesOfTags, this->Input.size())) / double(this->Input.size()));
     }
   }
   if (all.empty())
@@ -140,6 +166,17 @@ std::vector<TIFFDirectory> TIFFFile::directories(bool isFirstOnly)
     this->Input.fail(ParseCode::Malformed, "the file has no page");
   }
   return all;
+}
+
+//------------------------------------------------------------------------------
+void TIFFFile::count(std::uint64_t records, std::uint64_t bytes)
+{
+  const std::uint64_t left = this->Input.size() - std::min(this->Input.size(), this->BytesOfTags);
+  if (records > left / bytes)
+  {
+    this->Input.fail(ParseCode::Malformed, "the tags of the pages exceed the size of the file");
+  }
+  this->BytesOfTags += records * bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +194,9 @@ TIFFDirectory TIFFFile::directory(std::uint64_t& next)
   const std::uint64_t size = this->number(this->HasLongOffsets ? 8 : 2);
   const std::uint64_t begin = this->Input.offset(), entryBytes = 4 + 2 * wide;
   this->Limits.checkedCount(this->Input, "tags", size, entryBytes, sizeof(Entry));
+  this->count(size, entryBytes);
   std::vector<Entry> entries;
+  std::set<std::uint16_t> known;
   for (std::uint64_t i = 0; i < size; ++i)
   {
     this->seek(begin + i * entryBytes);
@@ -171,6 +210,11 @@ TIFFDirectory TIFFFile::directory(std::uint64_t& next)
     {
       continue;
     }
+    if (!known.insert(entry.Tag).second)
+    {
+      this->Input.fail(
+        ParseCode::Malformed, "found tag " + std::to_string(entry.Tag) + " twice in a page");
+    }
     if (entry.Count > static_cast<std::uint64_t>(wide) / bytes)
     {
       entry.Offset = this->number(wide);
@@ -181,32 +225,44 @@ TIFFDirectory TIFFFile::directory(std::uint64_t& next)
   next = this->number(wide);
   for (const Entry& entry : entries)
   {
-    this->readEntry(result, entry.Tag, entry.Type, entry.Count, entry.Offset);
+    this->readEntry(result, static_cast<TIFFTag>(entry.Tag), entry.Type, entry.Count, entry.Offset);
   }
   return result;
 }
 
 //------------------------------------------------------------------------------
-void TIFFFile::readEntry(TIFFDirectory& result, std::uint16_t tag, std::uint16_t type,
-  std::uint64_t count, std::uint64_t offset)
+void TIFFFile::readEntry(
+  TIFFDirectory& result, TIFFTag tag, std::uint16_t type, std::uint64_t count, std::uint64_t offset)
 {
+  constexpr std::uint16_t text = 2, rational = 5;
+  const bool isText = tag == TIFFTag::Description;
+  if (isText != (type == text) || (isOfStack(tag) && result.Offset != this->First))
+  {
+    return;
+  }
+  if (isText || isArray(tag))
+  {
+    this->count(count, bytesOfType(type));
+  }
+  else
+  {
+    count = 1;
+  }
   this->seek(offset);
   const int bytes = bytesOfType(type);
   this->Limits.checkedCount(
     this->Input, "numbers of a tag", count, static_cast<std::uint64_t>(bytes), sizeof(double));
-  constexpr std::uint16_t text = 2, rational = 5;
-  if (type == text)
+  if (isText)
   {
-    for (std::uint64_t i = 0; i < count && tag == static_cast<std::uint16_t>(TIFFTag::Description);
-         ++i)
+    for (std::uint64_t i = 0; i < count; ++i)
     {
       result.Description += static_cast<char>(this->number(1));
     }
     result.Description = result.Description.substr(0, result.Description.find('\0'));
     return;
   }
-  std::vector<double>& numbers = result.Numbers[static_cast<TIFFTag>(tag)];
-  numbers.clear();
+  std::vector<double>& numbers = result.Numbers[tag];
+  numbers.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i)
   {
     auto value = static_cast<double>(this->number(type == rational ? 4 : bytes));

@@ -62,8 +62,8 @@ bool isOfImageJ(const TIFFDirectory& page)
 ScalarType typeOf(TIFFFile& file, const TIFFDirectory& page)
 {
   constexpr int isSigned = 2, isFloat = 3;
-  const int format = static_cast<int>(page.number(TIFFTag::SampleFormat, 1.0));
-  const int bits = static_cast<int>(page.number(TIFFTag::BitsPerSample, 1.0));
+  const int format = page.whole(TIFFTag::SampleFormat, 1);
+  const int bits = page.whole(TIFFTag::BitsPerSample, 1);
   if (format == isFloat && (bits == 32 || bits == 64))
   {
     return bits == 32 ? ScalarType::Float32 : ScalarType::Float64;
@@ -87,7 +87,7 @@ ScalarType typeOf(TIFFFile& file, const TIFFDirectory& page)
 
 void requireReadable(TIFFFile& file, const TIFFDirectory& page)
 {
-  const int compression = static_cast<int>(page.number(TIFFTag::Compression, NoCompression));
+  const int compression = page.whole(TIFFTag::Compression, NoCompression);
   if (compression != NoCompression && compression != AdobeDeflate && compression != OldDeflate)
   {
     refuse(file,
@@ -136,6 +136,23 @@ void readUnits(const TIFFDirectory& page, TIFFStackInfo& info)
   info.FrameInterval = interval > 0.0 ? interval : 1.0;
 }
 
+// Require that the file has room for pages that follow the first one without a directory.
+void requireContiguous(
+  TIFFFile& file, const TIFFDirectory& first, const TIFFStackInfo& info, std::size_t count)
+{
+  if (first.number(TIFFTag::Compression, NoCompression) != double(NoCompression))
+  {
+    refuse(file, "the pages without a directory are compressed");
+  }
+  const double bytes = double(info.pixelsPerPage()) * first.number(TIFFTag::SamplesPerPixel, 1.0) *
+    double(sizeOf(info.Type));
+  if (double(count) * bytes > double(file.input().size()))
+  {
+    file.input().fail(ParseCode::PrematureEnd,
+      "the file is too small for the " + std::to_string(count) + " pages of its description");
+  }
+}
+
 // Sizes that all pages share, and how pages are channels, slices and frames.
 TIFFStackInfo infoOf(TIFFFile& file, const Directories& pages)
 {
@@ -160,6 +177,10 @@ TIFFStackInfo infoOf(TIFFFile& file, const Directories& pages)
     const std::size_t images = countOf(first.Description, "images");
     const bool isContiguous = pages.size() == 1 && images > 1;
     const std::size_t count = isContiguous ? images : pages.size();
+    if (isContiguous)
+    {
+      requireContiguous(file, first, info, count);
+    }
     info.Channels = countOf(first.Description, "channels");
     info.Frames = countOf(first.Description, "frames");
     info.Slices = count / (info.Channels * info.Frames);
@@ -200,7 +221,7 @@ public:
     {
       refuse(this->File, "the pages differ in size or type");
     }
-    const int compression = static_cast<int>(directory.number(TIFFTag::Compression, NoCompression));
+    const int compression = directory.whole(TIFFTag::Compression, NoCompression);
     const std::size_t rowBytes = this->Bytes.size() / this->Info.Height;
     const double rows =
       std::clamp(directory.number(TIFFTag::RowsPerStrip, double(this->Info.Height)), 1.0,
@@ -219,6 +240,10 @@ public:
     {
       const std::size_t begin = strip * stripBytes;
       const std::size_t size = std::min(stripBytes, this->Bytes.size() - begin);
+      if (offsets->second[strip] > double(this->File.input().size()))
+      {
+        this->File.input().fail(ParseCode::PrematureEnd, "the file ends before a strip");
+      }
       const auto offset = static_cast<std::uint64_t>(offsets->second[strip]);
       if (compression == NoCompression)
       {
@@ -321,10 +346,6 @@ void readFrame(TIFFFile& file, const Directories& pages, const TIFFStackOptions&
   const bool isContiguous = pages.size() == 1;
   const bool isPacked =
     pages.front().number(TIFFTag::Compression, NoCompression) != double(NoCompression);
-  if (isContiguous && isPacked && info.Slices * pagesPerSlice * info.Frames > 1)
-  {
-    refuse(file, "the pages without a directory are compressed");
-  }
   // Compressed pages can be much larger than the file.
   const std::uint64_t voxels = std::uint64_t(info.pixelsPerPage()) * info.Slices;
   file.seek(0);
@@ -368,11 +389,11 @@ TIFFStackResult parseTIFFStack(
     [&]()
     {
       TIFFFile file(open, limits);
-      const Directories pages = file.directories(false);
+      const Directories pages = file.directories(run.part(0.0, options.HeaderOnly ? 1.0 : 0.1));
       result.Stack.Info = infoOf(file, pages);
       if (!options.HeaderOnly)
       {
-        readFrame(file, pages, options, limits, run, result.Stack);
+        readFrame(file, pages, options, limits, run.part(0.1, 1.0), result.Stack);
       }
     });
   if (!result.Status.ok())

@@ -55,7 +55,7 @@ void requireWritable(const TIFFStack& stack)
   {
     if (static_cast<unsigned char>(c) < ' ' || c == '=')
     {
-      throw std::invalid_argument("the unit must have no line ends");
+      throw std::invalid_argument("the unit must not contain = or control characters");
     }
   }
 }
@@ -121,22 +121,22 @@ std::string descriptionOf(const TIFFStack& stack)
   return text + '\0';
 }
 
-// Return the closest quotient of whole numbers with a numerator or denominator of a million or
-// more.
+// Return a quotient of whole numbers with 32 bits. The larger of them is at least a million, so
+// that the relative error is at most 5e-7.
 std::array<std::uint32_t, 2> quotientOf(double value)
 {
   constexpr double million = 1e6, largest = 4294967295.0;
-  double scale = million;
-  while (value * scale > largest && scale > 1.0)
+  const bool isLarge = value >= 1.0;
+  const double size = isLarge ? value : 1.0 / value;
+  const double below = std::clamp(std::floor(largest / size), 1.0, million);
+  const double above = std::round(below * size);
+  if (!(above <= largest))
   {
-    scale *= 0.5;
+    throw std::invalid_argument(
+      "the spacing of a TIFF stack must be in [2.33e-10, 4.29e9]; use another unit");
   }
-  while (value * scale < million && 10.0 * scale <= 4e9)
-  {
-    scale *= 10.0;
-  }
-  const double top = std::clamp(std::round(value * std::floor(scale)), 1.0, largest);
-  return { static_cast<std::uint32_t>(top), static_cast<std::uint32_t>(std::floor(scale)) };
+  const auto top = static_cast<std::uint32_t>(isLarge ? above : below);
+  return { top, static_cast<std::uint32_t>(isLarge ? below : above) };
 }
 
 class Directory

@@ -16,7 +16,8 @@ namespace conformal
 /// @param[in] firstRowUp  whether the last row of the stack becomes the first row of the file
 /// @throws std::invalid_argument unless the type is UInt8, UInt16 or Float32, the size fits the
 ///   values and is not 0, and spacings and frame interval are positive. Also if the file would
-///   exceed 4 GB
+///   exceed 4 GB, or a spacing in a slice is not in [2.33e-10, 4.29e9], whose inverse does not fit
+///   quotients of TIFF
 /// @throws Aborted if the progress callback of `run` returns false
 std::string makeTIFFStack(const TIFFStack& stack, bool firstRowUp = false, const Run& run = {});
 }

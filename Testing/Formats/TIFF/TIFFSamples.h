@@ -6,6 +6,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -19,7 +20,10 @@ struct TIFFOptions
   bool IsLong = false;     ///< BigTIFF
   bool IsDeflated = false; ///< with differences between neighbors
   std::string Description = {};
-  std::vector<std::pair<int, std::uint32_t>> Others = {}; ///< further tags with a short number
+  std::vector<std::pair<int, std::uint32_t>> Others = {}; ///< tags with a short number
+  bool HasTagTwice = false;
+  int Huge = 0;             ///< tag whose value is 2^64 - 1, in a BigTIFF file
+  std::uint64_t Strips = 1; ///< number of offsets of strips, all in one place if there are many
   std::uint32_t Height = 2;
 };
 
@@ -89,9 +93,10 @@ inline std::string TIFF(int pages, const TIFFOptions& options = {})
       std::uint64_t Count, Value;
     };
     std::vector<Tag> tags = { { 256, 3, 1, 3 }, { 257, 4, 1, options.Height }, { 258, 3, 1, 16 },
-      { 259, 3, 1, options.IsDeflated ? 8u : 1u }, { 262, 3, 1, 1 }, { 273, 4, 1, offset },
-      { 277, 3, 1, 1 }, { 279, 4, 1, strip.size() }, { 282, 5, 1, ratio }, { 283, 5, 1, ratio },
-      { 339, 3, 1, 1 }, { 65000, 12, 9, 0 } }; // the last is unknown
+      { 259, 3, 1, options.IsDeflated ? 8u : 1u }, { 262, 3, 1, 1 },
+      { 273, 4, options.Strips, options.Strips > 1 ? 0 : offset }, { 277, 3, 1, 1 },
+      { 279, 4, 1, strip.size() }, { 282, 5, 1, ratio }, { 283, 5, 1, ratio }, { 339, 3, 1, 1 },
+      { 65000, 12, 9, 0 } }; // the last is unknown
     if (options.IsDeflated)
     {
       tags.push_back({ 317, 3, 1, 2 });
@@ -102,7 +107,20 @@ inline std::string TIFF(int pages, const TIFFOptions& options = {})
     }
     for (const auto& [number, value] : options.Others)
     {
+      const auto isSame = [n = number](const Tag& tag) { return tag.Number == n; };
+      tags.erase(std::remove_if(tags.begin(), tags.end(), isSame), tags.end());
       tags.push_back({ number, 3, 1, value });
+    }
+    for (Tag& tag : tags)
+    {
+      if (tag.Number == options.Huge)
+      {
+        tag = { tag.Number, 16, 1, ~std::uint64_t(0) };
+      }
+    }
+    if (options.HasTagTwice)
+    {
+      tags.push_back(tags.front());
     }
     put(link, file.size());
     add(file, tags.size(), options.IsLong ? 8 : 2);

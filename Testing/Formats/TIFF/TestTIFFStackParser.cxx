@@ -87,6 +87,37 @@ TEST(TIFFStackParser, DescriptionOfImageJHasChannelsFramesAndUnits)
   EXPECT_EQ(values[23], 702);
 }
 
+// Opening a file again for each tag, or reading a piece of it for each page, takes long.
+TEST(TIFFStackParser, FilesThatCanSeekAreOpenedOnceAndReadInLargePieces)
+{
+  const std::string bytes = samples::TIFF(9000);
+  std::size_t place = 0, opened = 0, jumps = 0;
+  const TIFFStackResult result = conformal::parseTIFFStack(
+    [&](conformal::ByteReader& input)
+    {
+      ++opened;
+      place = 0;
+      input = conformal::ByteReader(
+        [&](char* buffer, std::size_t size)
+        {
+          const std::size_t got = bytes.copy(buffer, size, place);
+          place += got;
+          return got;
+        },
+        bytes.size(),
+        [&](std::uint64_t offset)
+        {
+          ++jumps;
+          place = offset;
+        });
+      return conformal::ParseStatus();
+    });
+  ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+  EXPECT_EQ(opened, 1u);
+  EXPECT_LT(jumps, 100u);
+  EXPECT_EQ(valuesOf(result), valuesOf(parsed(bytes)));
+}
+
 // ImageJ writes stacks of more than 4 GB with one directory. Its other pages follow the first.
 TEST(TIFFStackParser, PagesWithoutADirectoryFollowTheFirst)
 {
@@ -99,6 +130,23 @@ TEST(TIFFStackParser, PagesWithoutADirectoryFollowTheFirst)
   ASSERT_TRUE(result.Status.ok()) << result.Status.text();
   EXPECT_EQ(result.Stack.Info.Slices, 3u);
   EXPECT_EQ(valuesOf(result).size(), 18u);
+}
+
+// A small file must not make the header large: readers list all time steps.
+TEST(TIFFStackParser, HeadersAreRefusedIfTheFileIsTooSmallForTheirPages)
+{
+  TIFFStackOptions header;
+  header.HeaderOnly = true;
+  TIFFOptions options;
+  options.Description = "ImageJ=1\nimages=1000000000\nframes=1000000000\n";
+  const TIFFStackResult many = parsed(samples::TIFF(1, options), header);
+  EXPECT_EQ(many.Status.Code, ParseCode::PrematureEnd);
+  EXPECT_NE(many.Status.text().find("1000000000 pages"), std::string::npos) << many.Status.text();
+  options.Description = "ImageJ=1\nimages=3\nframes=3\n";
+  EXPECT_EQ(parsed(samples::TIFF(1, options), header).Stack.Info.Frames, 3u);
+  options.IsDeflated = true;
+  const TIFFStackResult packed = parsed(samples::TIFF(1, options), header);
+  EXPECT_NE(packed.Status.text().find("compressed"), std::string::npos) << packed.Status.text();
 }
 
 TEST(TIFFStackParser, UnreadableFilesAreRefusedWithTheReason)
@@ -129,6 +177,45 @@ TEST(TIFFStackParser, UnreadableFilesAreRefusedWithTheReason)
   std::string loop = samples::TIFF(1);
   loop.replace(loop.size() - 4, 4, loop.substr(4, 4));
   expectRefused(loop, ParseCode::Malformed, "loop");
+}
+
+// The time and memory of a file are limited by its size, although pages can share their arrays.
+TEST(TIFFStackParser, PagesThatShareLargeArraysAreRefused)
+{
+  TIFFOptions options;
+  options.Strips = 2;
+  EXPECT_TRUE(parsed(samples::TIFF(100, options), { 0, false, true }).Status.ok());
+  options.Strips = 1000; // fewer bytes than the file has, but more on all pages
+  expectRefused(samples::TIFF(100, options), ParseCode::Malformed, "exceed the size of the file");
+  options = {};
+  options.HasTagTwice = true;
+  expectRefused(samples::TIFF(1, options), ParseCode::Malformed, "found tag 256 twice");
+}
+
+// Numbers of tags that exceed all integers are no undefined conversions.
+TEST(TIFFStackParser, HugeNumbersOfTagsAreRefused)
+{
+  for (const int tag : { 256, 258, 259, 273, 277 })
+  {
+    TIFFOptions options;
+    options.IsLong = true;
+    options.Huge = tag;
+    EXPECT_FALSE(parsed(samples::TIFF(1, options)).Status.ok()) << tag;
+  }
+}
+
+TEST(TIFFStackParser, ReadingDirectoriesStopsWhenAsked)
+{
+  std::size_t calls = 0;
+  const auto stop = [&](double)
+  {
+    ++calls;
+    return false;
+  };
+  TIFFStackOptions header;
+  header.HeaderOnly = true;
+  EXPECT_EQ(parsed(samples::TIFF(300), header, { {}, stop }).Status.Code, ParseCode::Aborted);
+  EXPECT_EQ(calls, 1u);
 }
 
 TEST(TIFFStackParser, ChangedFilesAreReadOrRefused)

@@ -115,11 +115,14 @@ TEST(TIFFStackWriter, TimeStepsAreReadBack)
 
 TEST(TIFFStackWriter, SpacingsOfAnySizeAreKept)
 {
-  for (const double spacing : { 1e-9, 3e-4, 1.0, 77.7, 1e6 })
+  for (const double spacing :
+    { 2.4e-10, 4e-10, 1e-9, 3.3e-7, 3e-4, 0.7, 1.0, 77.7, 1e6, 3e6 / 7.0, 3e6, 3.3e7, 1e9, 4.2e9 })
   {
-    TIFFStack small = stack();
-    small.Info.Spacing = { spacing, spacing, spacing };
-    EXPECT_NEAR(read(makeTIFFStack(small)).Stack.Info.Spacing[0] / spacing, 1.0, 1e-3) << spacing;
+    TIFFStack sized = stack();
+    sized.Info.Spacing = { spacing, 1.0 / spacing, spacing };
+    const std::array<double, 3> found = read(makeTIFFStack(sized)).Stack.Info.Spacing;
+    EXPECT_NEAR(found[0] / spacing, 1.0, 5e-7) << spacing;
+    EXPECT_NEAR(found[1] * spacing, 1.0, 5e-7) << spacing;
   }
 }
 
@@ -135,6 +138,9 @@ TEST(TIFFStackWriter, UnsuitableStacksAreRefused)
   expectRefused([](TIFFStack& s) { s.Info.Slices = 4; });
   expectRefused([](TIFFStack& s) { s.Info.Width = 0; });
   expectRefused([](TIFFStack& s) { s.Info.Spacing[1] = 0.0; });
+  expectRefused([](TIFFStack& s) { s.Info.Spacing[0] = 2.3e-10; });
+  expectRefused([](TIFFStack& s) { s.Info.Spacing[0] = 4.3e9; });
+  expectRefused([](TIFFStack& s) { s.Info.Spacing[1] = 1e-310; });
   expectRefused([](TIFFStack& s) { s.Info.Frames = 2; });
   expectRefused([](TIFFStack& s) { s.Info.FrameInterval = 0.0; });
   expectRefused([](TIFFStack& s) { s.Info.Unit = "a\nb"; });

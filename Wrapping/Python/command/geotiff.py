@@ -1,4 +1,9 @@
 """Write numbers on a map as a GeoTIFF, by GDAL's module for Python."""
+import errno
+import os
+import sys
+import typing
+
 import numpy as np
 
 from .plan import WrongUsage
@@ -25,7 +30,7 @@ def expect_available(crs):
 
 
 def reference_system(crs, name, radius):
-    """That of a code, or longitude and latitude on a sphere [degrees]. The radius is in meters."""
+    """Return the reference system of a code, or longitude and latitude on a sphere [degrees] of a radius in meters."""
     system = osr.SpatialReference()
     if crs:
         system.SetFromUserInput(crs)
@@ -38,12 +43,29 @@ def reference_system(crs, name, radius):
 
 
 def write(path, bands, central_longitude, name, radius, crs=None):
-    """Bands by name: rows of pixels from the north, the whole sphere."""
+    """Write bands by name: rows of pixels from the north, the whole sphere. Raises OSError if GDAL cannot write them."""
     rows, columns = next(iter(bands.values())).shape
-    file = gdal.GetDriverByName("GTiff").Create(
-        path, columns, rows, len(bands), gdal.GDT_Float32, ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES"])
-    file.SetGeoTransform((central_longitude - 180.0, 360.0 / columns, 0.0, 90.0, 0.0, -180.0 / rows))
-    file.SetProjection(reference_system(crs, name, radius).ExportToWkt())
+    problems: typing.List[str] = []
+    file = None
+    try:
+        file = gdal.GetDriverByName("GTiff").Create(
+            path, columns, rows, len(bands), gdal.GDT_Float32,
+            ["COMPRESS=DEFLATE", "PREDICTOR=3", "TILED=YES", "BIGTIFF=IF_SAFER"])
+        fill(file, bands, central_longitude, reference_system(crs, name, radius))
+    except RuntimeError as error:
+        problems.append(str(error))
+    hook = sys.unraisablehook  # of errors of destructors: without ours, Python prints them and goes on
+    sys.unraisablehook = lambda unraisable: problems.append(str(unraisable.exc_value))
+    del file  # which closes it
+    sys.unraisablehook = hook
+    if problems:
+        raise OSError(errno.EIO, f"GDAL cannot write it: {problems[0].replace(path, os.path.basename(path))}", path)
+
+
+def fill(file, bands, central_longitude, system):
+    """Write bands into a new file. Raises RuntimeError if GDAL cannot write them."""
+    file.SetGeoTransform((central_longitude - 180.0, 360.0 / file.RasterXSize, 0.0, 90.0, 0.0, -180.0 / file.RasterYSize))
+    file.SetProjection(system.ExportToWkt())
     for number, (title, values) in enumerate(bands.items(), 1):
         band = file.GetRasterBand(number)
         band.SetDescription(title)
@@ -51,4 +73,3 @@ def write(path, bands, central_longitude, name, radius, crs=None):
         band.SetNoDataValue(float("nan"))
         band.WriteArray(values)
     file.FlushCache()
-    del file

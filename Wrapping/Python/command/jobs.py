@@ -39,6 +39,8 @@ def message_of(error):
     """What an exception says, with the file it is about."""
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+    if isinstance(error, MemoryError):
+        return "there is not enough memory"
     return str(error)
 
 
@@ -76,9 +78,7 @@ def work(make, task, options, pixels, told, log, shows, threads):
     os.dup2(log.fileno(), 1)
     os.dup2(log.fileno(), 2)
     steps = TellingSteps(told, shows)
-    for number in SIGNALS:
-        if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, steps.interrupt)
+    handle_signals(steps.interrupt)
     try:
         if hasattr(signal, "pthread_sigmask"):
             signal.pthread_sigmask(signal.SIG_UNBLOCK, SIGNALS)
@@ -92,8 +92,8 @@ def work(make, task, options, pixels, told, log, shows, threads):
         os.kill(os.getpid(), interrupted.args[0])
     except StepFailed as error:
         steps.tell("failed", f"{task.scan}: {error}")
-    except MemoryError:
-        steps.tell("failed", f"{task.scan}: there is not enough memory")
+    except MemoryError as error:
+        steps.tell("failed", f"{task.scan}: {message_of(error)}")
     except (ValueError, OSError) as error:
         steps.tell("failed", message_of(error))
 
@@ -188,6 +188,13 @@ class Job:
         """The last line that the process printed, which may say why."""
         lines = [line.strip() for line in self.log.decode(errors="replace").splitlines() if line.strip()]
         return "".join(f": {line[:200]}" for line in lines[-1:])
+
+
+def handle_signals(handler):
+    """Call a handler for signals that ask to stop, unless the command was started to ignore them."""
+    for number in SIGNALS:
+        if signal.getsignal(number) != signal.SIG_IGN:
+            signal.signal(number, handler)
 
 
 @contextlib.contextmanager

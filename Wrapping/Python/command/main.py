@@ -9,6 +9,7 @@ import sys
 from vtkmodules.vtkCommonCore import vtkVersion
 
 import conformalsom
+from conformalsom.messages import FilterFailed
 
 from . import details, jobs, outputs, pictures, presets, surfaces, textures
 from .plan import METERS, WrongUsage, expect_directions, expect_utf8, paths_of, positive
@@ -207,13 +208,13 @@ def run(options, all_paths, bar):
 
 
 def drop_output():
-    """Let what could not be printed go, lest Python tries again at its end."""
+    """Discard output that could not be printed, so that Python does not print it again at exit."""
     if sys.stdout:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def occupy_standard_streams():
-    """Open what is closed among the first three descriptors, lest a file or a pipe becomes one of them."""
+    """Open closed standard streams, so that no file gets descriptor 0, 1 or 2."""
     while True:
         descriptor = os.open(os.devnull, os.O_RDWR)
         if descriptor > 2:
@@ -260,10 +261,8 @@ def subcommand(argv):
 def guarded(work):
     """Call work() with a bar, and end as asked by signals; returns the exit status."""
     jobs.silence()
-    bar, interruption = Bar(), Interruption()
-    for number in jobs.SIGNALS:
-        if signal.getsignal(number) != signal.SIG_IGN:
-            signal.signal(number, interruption)
+    bar = Bar()
+    jobs.handle_signals(Interruption())
     try:
         return work(bar)
     except Interrupted as interrupted:
@@ -275,7 +274,7 @@ def guarded(work):
     except BrokenPipeError:  # nobody reads on
         drop_output()
         return 1
-    except (ValueError, OSError) as error:
+    except (ValueError, OSError, FilterFailed, MemoryError) as error:
         bar.clear()
         complain(jobs.message_of(error))
         drop_output()

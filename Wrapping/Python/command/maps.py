@@ -6,7 +6,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from conformalsom import vtkBodyMap, vtkBodyMapImage
 
-from . import geotiff, labels, map_picture, mapped_files, outputs, pictures, scan_files
+from . import geotiff, jobs, labels, map_picture, mapped_files, outputs, pictures, scan_files
 from .plan import METERS, Checks, WrongUsage, expect_extension, expect_utf8, parsed
 from .progress import printable
 from .steps import Steps
@@ -46,7 +46,7 @@ def make_parser():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("body", metavar="BODY", help="file with a closed surface without handles (.tab, .obj, .ply ...)")
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="GeoTIFF to write (.tif or .tiff)")
-    parser.add_argument("--unit", choices=METERS, help="of the coordinates in BODY; default: that of the label "
+    parser.add_argument("--unit", choices=METERS, help="unit of the coordinates in BODY; default: that of the label "
                         "beside BODY (.lbl or .xml of the Planetary Data System), else km")
     parser.add_argument("--width", type=width, default=2000, metavar="N",
                         help="width in pixels, twice the height; in [16, 40000], default 2000")
@@ -55,9 +55,9 @@ def make_parser():
                              "farthest from the center. map: those of a map to the sphere, in which every point of "
                              "the surface has its own pixel; no catalog has these. Default planetocentric")
     parser.add_argument("--central-longitude", type=float, default=0.0, metavar="DEGREES",
-                        help="in the middle of the map, east; in [-360, 360], default 0")
+                        help="east longitude in the middle of the map; in [-360, 360], default 0")
     parser.add_argument("--center", nargs=3, type=float, default=(0.0, 0.0, 0.0), metavar=("X", "Y", "Z"),
-                        help="of the body, in the unit of BODY; default 0 0 0")
+                        help="center of the body, in the unit of BODY; default 0 0 0")
     parser.add_argument("--axis", nargs=3, type=float, default=(0.0, 0.0, 1.0), metavar=("X", "Y", "Z"),
                         help="direction of north; default 0 0 1")
     parser.add_argument("--crs", metavar="CODE", help="coordinate reference system as GDAL knows it, such as "
@@ -92,6 +92,7 @@ def expect_sense(options):
 def run(options, _):
     """Read, map, draw and write; returns the exit status."""
     steps = Steps()
+    jobs.handle_signals(steps.interrupt)  # aborts the filter that runs: VTK drops what an observer raises
     surface = mapped_files.read(options.body, AREA_BALANCE, steps)
     meters = labels.meters_of(surface, options.unit, "km", steps)
     name = labels.target_of(surface) or mapped_files.name_of(options.body)
@@ -103,7 +104,8 @@ def run(options, _):
     bands = bands_of(options, body.GetOutput(), meters, steps)
     points = vtk_to_numpy(body.GetOutput().GetPointData().GetArray("Radius")) * meters
     with outputs.whole(options.output, files=[options.output], overwrite=options.overwrite) as path:
-        geotiff.write(path, bands, options.central_longitude, name, float(points.mean()), options.crs)
+        with outputs.named_errors(options.output):
+            geotiff.write(path, bands, options.central_longitude, name, float(points.mean()), options.crs)
     if options.picture:
         write_picture(options, bands, name, steps)
     for warning in steps.warnings:

@@ -47,7 +47,7 @@ def make_parser():
     parser.add_argument("--array", metavar="NAME", help="point array of surfaces to map: AreaRate (default), ShearRate, "
                         "NormalVelocity, TangentialVelocity, Velocity, or an array of the files, such as their colors")
     parser.add_argument("--projection", choices=movie_results.PROJECTIONS, default="equirectangular",
-                        help="of the maps; default equirectangular. The poles are the ends of the longest axis of the body")
+                        help="projection of the maps; default equirectangular. The poles are the ends of the longest axis of the body")
     parser.add_argument("--size", type=in_range(16, 16384), default=1000, metavar="N",
                         help="width of the maps in pixels; the projection determines the height; default 1000")
     parser.add_argument("--reference", type=in_range(0, LARGEST), metavar="N",

@@ -58,6 +58,7 @@ class Surfaces:
     def __init__(self, options, steps):
         self.options, self.steps = options, steps
         self.last = None
+        self.shift = None  # vector that is subtracted from coordinates of maps: that of the first surface
         self.unit = ""  # that of the first volume that has one
         self.channels = None  # number of channels of the first volume that can be used
 
@@ -84,6 +85,7 @@ class Surfaces:
         data = scan.GetOutputDataObject(0)
         if broken or data.GetNumberOfPoints() == 0:
             raise Skipped(broken[0] if broken else "no points found")
+        data = self.placed(data)
         if isinstance(data, vtkPolyData) and data.GetPointData().GetArray(SPHERE):
             return data
         if not shape_steps.is_closed(data, self.steps):
@@ -93,6 +95,15 @@ class Surfaces:
         conformal.SetAreaBalance(shape_steps.AREA_BALANCE)
         self.steps.run(f"Map {frame.name} to the sphere", conformal)
         return conformal.GetOutput()
+
+    def placed(self, data):
+        """A surface or cloud beside those of other frames: readers subtract a vector that depends on the file."""
+        if self.shift is None:
+            self.shift = scan_files.shift_of(data)
+            scan_files.note_shift(data, self.steps)
+        if (scan_files.shift_of(data) == self.shift).all():
+            return data
+        return scan_files.shifted_to(data, self.shift)
 
     def of_volume(self, frame):
         """The surface around the object in a volume."""

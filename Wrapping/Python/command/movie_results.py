@@ -220,7 +220,9 @@ class ArrayMaps(Maps):
         name = self.options.array or DEFAULT_ARRAY
         expect_array(surface, frame, name)
         image = self.drawn(surface, name, self.options.projection, *self.size, f"Draw the map of {frame.name}")
-        values = vtk_to_numpy(image.GetPointData().GetArray(name))
+        values, replaced = finite(vtk_to_numpy(image.GetPointData().GetArray(name)))
+        if replaced:
+            self.steps.note(frame.name, f"{replaced} values of {name} that are not finite are 0 in the map")
         self.put(k, values.reshape(1, self.size[1], self.size[0], -1))
         if k == self.series.reference:
             radius = math.sqrt(movie_frames.area_and_volume(surface)[0] / (4.0 * math.pi))
@@ -246,10 +248,20 @@ class ArrayMaps(Maps):
             image = self.drawn(surface, array, "equirectangular", movie_page.WIDTH, movie_page.WIDTH // 2,
                                f"Draw {frame.name} for the page")
             arrays, shape = image.GetPointData(), (movie_page.WIDTH // 2, movie_page.WIDTH)
-            values = vtk_to_numpy(arrays.GetArray(array)).reshape(*shape, -1)
+            values = finite(vtk_to_numpy(arrays.GetArray(array)))[0].reshape(*shape, -1)
             self.keep_picture(array, k, values if values.shape[2] == 3 and values.dtype == np.uint8
-                              else values[..., 0] if values.shape[2] == 1 else np.linalg.norm(values, axis=2),
+                              else values[..., 0] if values.shape[2] == 1 else np.linalg.norm(values.astype(float), axis=2),
                               vtk_to_numpy(arrays.GetArray("OutsideSurface")).reshape(shape) > 0)
+
+
+def finite(values):
+    """Values as files of maps have them, whole numbers of 8 and 16 bits or floats: 0 where these are not finite; their number."""
+    if values.dtype in (np.uint8, np.uint16):
+        return values, 0
+    with np.errstate(over="ignore"):
+        floats = values.astype(np.float32)
+    broken = ~np.isfinite(floats)
+    return np.where(broken, np.float32(0.0), floats), np.count_nonzero(broken)
 
 
 def stack_of(pixels, spacing):

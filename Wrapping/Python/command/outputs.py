@@ -61,7 +61,7 @@ def named(pattern, scan):
 
 
 def surface_named(pattern, scan, folder_type):
-    """The same, where a folder stands for files of a type in it."""
+    """The path that a pattern stands for, in which a folder stands for a file of folder_type in it, named after the scan."""
     if pattern.endswith(os.sep) or os.path.isdir(pattern):
         pattern = os.path.join(pattern, "{}" + folder_type)
     return named(pattern, scan)

@@ -20,7 +20,7 @@ class Paths(typing.NamedTuple):
     picture: str
 
     def all(self):
-        """All of them."""
+        """Return the surfaces, and the picture if there is one."""
         return [*self.surfaces, *filter(None, [self.picture])]
 
     def files(self):
@@ -72,7 +72,7 @@ def expect_name(path):
 
 
 def positive(text):
-    """A number of jobs."""
+    """Parse a positive integer."""
     number = int(text)
     if number < 1:
         raise argparse.ArgumentTypeError(f"{number} is less than 1")

@@ -2,6 +2,9 @@
 import os
 import struct
 
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -12,6 +15,7 @@ from . import outputs
 
 OUR_READERS = [reader for reader in vars(conformalsom).values()
                if hasattr(reader, "CanReadFile") and issubclass(reader, conformalsom.vtkSurfaceFileReader)]
+SHIFT = "CoordinateShift"  # field array
 VTK_READERS = {
     ".obj": vtkOBJReader,
     ".stl": vtkSTLReader,
@@ -47,11 +51,49 @@ def scan_reader(path):
     return reader
 
 
+def shift_of(points):
+    """The vector that a reader subtracted from coordinates of maps, or 0."""
+    shift = points.GetFieldData().GetArray(SHIFT)
+    return np.array(shift.GetTuple3(0) if shift else (0.0, 0.0, 0.0))
+
+
+def with_shift(points, shift):
+    """A copy of points whose field data has this shift."""
+    result = points.NewInstance()
+    result.ShallowCopy(points)
+    result.GetFieldData().RemoveArray(SHIFT)
+    if any(shift):
+        array = numpy_to_vtk(np.array([shift]), deep=True)
+        array.SetName(SHIFT)
+        result.GetFieldData().AddArray(array)
+    return result
+
+
+def shifted_to(points, shift):
+    """A copy of points, in double precision, from whose coordinates in the file this vector is subtracted."""
+    offset = shift_of(points) - shift
+    result, moved = with_shift(points, shift), vtkPoints()
+    moved.SetData(moved_by(points.GetPoints().GetData(), offset))
+    result.SetPoints(moved)
+    for data in (result.GetPointData(), result.GetFieldData()):
+        scanner = data.GetArray("ScannerPosition")
+        if scanner:
+            data.AddArray(moved_by(scanner, offset))
+    return result
+
+
+def moved_by(vectors, offset):
+    """A copy of an array of vectors, plus an offset."""
+    array = numpy_to_vtk(vtk_to_numpy(vectors).astype(float) + offset, deep=True)
+    array.SetName(vectors.GetName())
+    return array
+
+
 def note_shift(points, steps):
     """Show which vector a reader subtracted from coordinates of maps, if it did."""
-    shift = points.GetFieldData().GetArray("CoordinateShift")
-    if shift and any(shift.GetTuple3(0)):
-        numbers = " ".join(f"{number:.15g}" for number in shift.GetTuple3(0))
+    shift = shift_of(points)
+    if any(shift):
+        numbers = " ".join(f"{number:.15g}" for number in shift)
         steps.note("Read the scan", f"coordinates are large; {numbers} is subtracted from those of all written files")
 
 

@@ -7,6 +7,8 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPointLocator
 
+from . import scan_files
+
 COLUMNS = ("scan", "name", "x", "y", "z")
 POSITIONS = "LandmarkPositions"  # field data of a mean: #landmarks by 3 coordinates
 FARTHEST = 0.05  # of the diagonal of the surface: a landmark at a larger distance belongs to another scan
@@ -62,15 +64,21 @@ def position_of(path, number, texts):
     return position
 
 
+def positions_on(surface, landmarks):
+    """Landmarks of a scan's file in coordinates of its surface, from which a reader may have subtracted a vector."""
+    return (np.array(landmarks) - scan_files.shift_of(surface)).tolist()
+
+
 def nearest_points(surface, landmarks, scan, called="the surface"):
     """Ids of the points nearest to landmarks; raises ValueError for a landmark that is far from the surface."""
     locator = vtkPointLocator()
     locator.SetDataSet(surface)
-    ids = [locator.FindClosestPoint(position) for position in landmarks]
-    for position, point in zip(landmarks, ids):
-        distance = math.dist(position, surface.GetPoint(point))
+    moved = positions_on(surface, landmarks)
+    ids = [locator.FindClosestPoint(position) for position in moved]
+    for position, place, point in zip(landmarks, moved, ids):
+        distance = math.dist(place, surface.GetPoint(point))
         if distance > FARTHEST * surface.GetLength():
-            raise ValueError(f"{scan}: the landmark at {position[0]:g}, {position[1]:g}, {position[2]:g} is {distance:.3g} "
+            raise ValueError(f"{scan}: the landmark at {position[0]:.9g}, {position[1]:.9g}, {position[2]:.9g} is {distance:.3g} "
                              f"from {called}; landmarks must have the coordinates of the scan's file")
     return ids
 
@@ -81,10 +89,10 @@ def add_to(registration, moving, fixed, step):
     nearest_points(moving, of_moving, step.scan)
     if of_fixed:
         nearest_points(fixed, of_fixed[0], step.scan, "the surface with which the scan is registered")
-        targets = of_fixed[0]
+        targets = positions_on(fixed, of_fixed[0])
     else:
         targets = vtk_to_numpy(fixed.GetFieldData().GetArray(POSITIONS)).tolist()
-    for position, target in zip(of_moving, targets):
+    for position, target in zip(positions_on(moving, of_moving), targets):
         registration.AddLandmarkPosition(*position, *target)
 
 

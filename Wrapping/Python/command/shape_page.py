@@ -33,7 +33,7 @@ class Data:
     """Arrays of a page: base64 of all, and where each begins."""
 
     def __init__(self):
-        self.bytes = b""
+        self.bytes = bytearray()
 
     def add(self, values, kind):
         """Append an array, aligned to 4 bytes; returns its place and its number of values."""

@@ -3,6 +3,7 @@ import contextlib
 import csv
 import json
 import os
+import shutil
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -33,24 +34,24 @@ def make(step, options, _, steps):
               "NumberOfLandmarks": len(options.landmarks_of[0]) if options.landmarks_of else 0}
     if options.groups_of:
         report.update(tested(surfaces, mean, options, steps))
-    folder = os.path.join(options.output, outputs.PREFIX + step.token)
-    results = Results(folder, steps)
-    for name, surface in zip(options.names, surfaces):
-        results.surface(os.path.join("surfaces", name + options.format), surface)
-    for k in range(kept):
-        for sigmas in SIGMAS:
-            results.surface(os.path.join("modes", f"mode{k + 1}_{sigmas:+}{options.format}"), varied(mean, k, sigmas))
-    results.surface("mean.vtp", mean)
-    head = ["scan", *(["group"] if options.groups_of else []), *(f"mode{k + 1}" for k in range(kept))]
-    firsts = zip(options.names, options.groups_of) if options.groups_of else zip(options.names)
-    results.table("scores.csv", head, [[*first, *map(text_of, row[:kept])] for first, row in zip(firsts, scores)])
-    results.table("variance.csv", ["mode", "fraction", "cumulative"], [
-        [k + 1, text_of(share), text_of(sum_)] for k, (share, sum_) in enumerate(zip(shares, np.cumsum(shares)))])
-    results.text("index.html", shape_page.page_of(mean, shares, scores[:, :kept], report, options))
-    report["Files"] = results.names
-    results.text(REPORT, json.dumps(report, indent=2) + "\n")
-    with jobs.blocked_signals():
-        results.publish(options.output)
+    with Results(os.path.join(options.output, outputs.PREFIX + step.token), steps) as results:
+        for name, surface in zip(options.names, surfaces):
+            results.surface(os.path.join("surfaces", name + options.format), surface)
+        for k in range(kept):
+            for sigmas in SIGMAS:
+                name = os.path.join("modes", f"mode{k + 1}_{sigmas:+}{options.format}")
+                results.surface(name, varied(mean, k, sigmas))
+        results.surface("mean.vtp", mean)
+        head = ["scan", *(["group"] if options.groups_of else []), *(f"mode{k + 1}" for k in range(kept))]
+        firsts = zip(options.names, options.groups_of) if options.groups_of else zip(options.names)
+        results.table("scores.csv", head, [[*first, *map(text_of, row[:kept])] for first, row in zip(firsts, scores)])
+        results.table("variance.csv", ["mode", "fraction", "cumulative"], [
+            [k + 1, text_of(share), text_of(sum_)] for k, (share, sum_) in enumerate(zip(shares, np.cumsum(shares)))])
+        results.text("index.html", shape_page.page_of(mean, shares, scores[:, :kept], report, options))
+        report["Files"] = results.names
+        results.text(REPORT, json.dumps(report, indent=2) + "\n")
+        with jobs.blocked_signals():
+            results.publish(options.output)
     entry = {"Scan": step.scan, "Surface": {"NumberOfPoints": mean.GetNumberOfPoints()}, "Seconds": steps.seconds,
              "Warnings": steps.warnings}
     return entry, summary_of(shares[:kept], report)
@@ -98,11 +99,17 @@ def varied(mean, mode, sigmas):
 
 
 class Results:
-    """Files that are made in a folder of their own, and take their places together."""
+    """Files that are made in a folder of their own, and take their places together. The block removes the folder."""
 
     def __init__(self, folder, steps):
         self.folder, self.steps, self.names = folder, steps, []
         os.mkdir(folder, 0o700)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        shutil.rmtree(self.folder, ignore_errors=True)
 
     def path(self, name):
         """Where to write a file for now."""

@@ -84,7 +84,7 @@ def read(steps, path):
 
 
 def mapped(step, _, steps):
-    """A scan's closed surface with a map to the sphere: the scan's own, or else a learned one."""
+    """A scan's closed surface with a map to the sphere, and with the vector that the reader subtracted, for landmarks."""
     scan = scan_files.scan_reader(step.scan)
     steps.take_outside_messages()
     steps.run("Read the scan", scan)
@@ -94,15 +94,21 @@ def mapped(step, _, steps):
     data = scan.GetOutputDataObject(0)
     if data.GetNumberOfPoints() == 0:
         raise ValueError(f"{step.scan}: no points found")
+    has_shift = hasattr(scan, "GetShiftCoordinates")  # else the array is of the file, as are the landmarks
+    return scan_files.with_shift(surface_of(data, steps), scan_files.shift_of(data) if has_shift else (0.0, 0.0, 0.0))
+
+
+def surface_of(data, steps):
+    """A closed surface with a map to the sphere: that of a scan, or else a learned one."""
     if isinstance(data, vtkPolyData) and data.GetPointData().GetArray(SPHERE):
         return data
-    source = scan
     if not is_closed(data, steps):
-        source = vtkConformalSOM()
-        source.SetInputData(data)
-        steps.run("Learn the mesh", source)
+        network = vtkConformalSOM()
+        network.SetInputData(data)
+        steps.run("Learn the mesh", network)
+        data = network.GetOutput()
     conformal = vtkGlobalConformalMap()
-    conformal.SetInputConnection(source.GetOutputPort())
+    conformal.SetInputData(data)
     conformal.SetAreaBalance(AREA_BALANCE)
     steps.run("Map to the sphere", conformal)
     return conformal.GetOutput()

@@ -51,7 +51,7 @@ def make_parser():
                         help="maximum number of modes to write; default 10")
     parser.add_argument("--rounds", type=in_range(0, 100), default=2, metavar="N",
                         help="how often all surfaces are registered with their mean; in [0, 100], default 2")
-    parser.add_argument("--format", choices=FORMATS, default=".ply", help="of the surfaces and modes; default .ply")
+    parser.add_argument("--format", choices=FORMATS, default=".ply", help="format of the surfaces and modes; default .ply")
     parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
                         help="direction to the viewer of the page, in coordinates of the first scan; default 0 0 1")
     parser.add_argument("--up", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 1, 0),
