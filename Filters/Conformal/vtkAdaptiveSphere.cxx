@@ -7,6 +7,7 @@
 #include "Glue/Points.h"
 #include "Glue/Run.h"
 #include "Glue/SphereImages.h"
+#include "Glue/Volumes.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "Texture/PictureDensity.h"
 
@@ -20,7 +21,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,8 +108,8 @@ std::vector<double> WeightsOfArray(
 
 // Change a density so that half of the points are distributed by the gradient of an image. If the
 // image has only one color, the density is not changed.
-conformal::SphereDensity WithDetails(
-  conformal::SphereDensity density, vtkPolyData* surface, vtkImageData* image)
+conformal::SphereDensity WithDetails(conformal::SphereDensity density, vtkPolyData* surface,
+  vtkImageData* image, const conformal::Run& run)
 {
   vtkDataArray* pixels = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!pixels || image->GetNumberOfPoints() == 0 || image->GetDimensions()[2] != 1)
@@ -129,8 +129,7 @@ conformal::SphereDensity WithDetails(
     }
     layout = glue::ToSphereImage(surface->GetFieldData());
   }
-  return conformal::withDetails(
-    std::move(density), glue::ToPicture(image, pixels), layout, glue::SMPRun());
+  return conformal::withDetails(std::move(density), glue::ToPicture(image, pixels), layout, run);
 }
 
 // Compute the density at each point of the surface: 1 everywhere, the values of an array, or by
@@ -183,9 +182,7 @@ int vtkAdaptiveSphere::RequestUpdateExtent(
 {
   if (vtkInformation* info = inputs[1]->GetInformationObject(0))
   {
-    int whole[6];
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+    glue::RequestWholeImage(info);
   }
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
@@ -214,10 +211,10 @@ int vtkAdaptiveSphere::RequestData(
       const Surface surface = ToSurface(input);
       conformal::SphereDensity share = conformal::densityOnSurface(
         surface, WeightsOf(input, surface, density, arrayName), steps.next());
-      steps.next();
+      const conformal::Run reading = steps.next();
       if (density == IMAGE)
       {
-        share = WithDetails(std::move(share), input, image);
+        share = WithDetails(std::move(share), input, image, reading);
       }
       const conformal::Mesh sphere = conformal::makeAdaptiveSphere(share, options, steps.next());
       steps.next();

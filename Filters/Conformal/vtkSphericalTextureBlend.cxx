@@ -5,6 +5,7 @@
 #include "Glue/Points.h"
 #include "Glue/Run.h"
 #include "Glue/SphereImages.h"
+#include "Glue/Volumes.h"
 #include "Texture/SphereViewChoice.h"
 #include "Texture/SphericalTextureBlend.h"
 
@@ -15,7 +16,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -138,10 +138,7 @@ int vtkSphericalTextureBlend::RequestUpdateExtent(
 {
   for (int port = 1; port <= 2; ++port)
   {
-    vtkInformation* info = inputVector[port]->GetInformationObject(0);
-    int whole[6];
-    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
-    info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), whole, 6);
+    glue::RequestWholeImage(inputVector[port]->GetInformationObject(0));
   }
   return 1;
 }

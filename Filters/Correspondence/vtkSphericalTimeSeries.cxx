@@ -359,6 +359,7 @@ private:
   void Warn(vtkObject* self) const
   {
     conformal::Index unmet = 0;
+    std::string ambiguous;
     for (std::size_t s = 0; s < this->Steps.size(); ++s)
     {
       if (this->Steps[s].Used < 0)
@@ -368,8 +369,21 @@ private:
       }
       else
       {
-        unmet += this->Used[this->Steps[s].Used].Result.NumberOfUnmetLandmarks;
+        const conformal::SphericalRegistrationResult& result =
+          this->Used[this->Steps[s].Used].Result;
+        unmet += result.NumberOfUnmetLandmarks;
+        if (result.IsAmbiguous)
+        {
+          ambiguous += (ambiguous.empty() ? "" : ", ") + std::to_string(s);
+        }
       }
+    }
+    if (!ambiguous.empty())
+    {
+      vtkWarningWithObjectMacro(
+        self, << "two correspondences are about equally good, such as head and tail of similar "
+                 "shape, at the time steps "
+              << ambiguous << "; inspect these steps, or add landmarks");
     }
     if (unmet > 0)
     {

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -43,10 +44,22 @@ struct ChosenArray
   conformal::Index First = 0;
 };
 
+// Return the names of the columns of an array in the table.
+std::vector<std::string> ColumnNames(const ChosenArray& array)
+{
+  std::vector<std::string> names;
+  for (int c = 0; c < array.Components; ++c)
+  {
+    names.push_back(array.Name + (array.Components > 1 ? "_" + std::to_string(c) : ""));
+  }
+  return names;
+}
+
 std::vector<ChosenArray> ArraysOf(vtkPolyData* surface, const std::vector<std::string>& names)
 {
   std::vector<ChosenArray> arrays;
   conformal::Index first = 3;
+  std::set<std::string> columns = { "Degree", "Order", "X", "Y", "Z" };
   for (const std::string& name : names)
   {
     vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
@@ -54,15 +67,15 @@ std::vector<ChosenArray> ArraysOf(vtkPolyData* surface, const std::vector<std::s
     {
       throw std::invalid_argument("the surface has no point array \"" + name + "\" of numbers");
     }
-    for (const char* column : { "Degree", "Order", "X", "Y", "Z" })
+    arrays.push_back({ name, array->GetNumberOfComponents(), first });
+    for (const std::string& column : ColumnNames(arrays.back()))
     {
-      if (name == column)
+      if (!columns.insert(column).second || name == glue::SpherePositionName())
       {
-        throw std::invalid_argument(
-          "the point array \"" + name + "\" has the name of a column of the table; rename it");
+        throw std::invalid_argument("the point array \"" + name +
+          "\" has the name of the map or of a column of the table; rename it");
       }
     }
-    arrays.push_back({ name, array->GetNumberOfComponents(), first });
     first += array->GetNumberOfComponents();
   }
   return arrays;
@@ -170,10 +183,9 @@ void AddTable(vtkTable* table, const conformal::Columns& coefficients,
     harmonics.Coefficients.data(), 3 * coefficients.rows(), frame, "a coefficient");
   for (const ChosenArray& chosen : arrays)
   {
-    for (int c = 0; c < chosen.Components; ++c)
+    for (const std::string& column : ColumnNames(chosen))
     {
-      harmonics.Names.push_back(
-        chosen.Name + (chosen.Components > 1 ? "_" + std::to_string(c) : ""));
+      harmonics.Names.push_back(column);
     }
   }
   if (!coefficients.allFinite())

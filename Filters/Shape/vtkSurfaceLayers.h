@@ -25,7 +25,8 @@
  * - field data "LayerDepths" (double, one value for each layer): depths of the layers.
  * - field data "LayerFaults" (1 value): number of triangles of layers that are inverted or cross
  *   another triangle of the layer. Unless the value is 0, there is a warning.
- * - point array "SpherePosition": as in the input, unless Axis is LONG_AXIS.
+ * - point array "SpherePosition": as in the input if Axis is MAP_AXIS, otherwise rotated to
+ *   the axis.
  *
  * Output port 1: vtkImageData, a stack of maps: NumberOfLayers slices of ImageSize pixels, in the
  * projections of vtkBodyMapImage. The scale is true on average: the coordinates of pixels are

@@ -62,9 +62,10 @@ vtkSPHARMCoefficientReader::~vtkSPHARMCoefficientReader()
 int vtkSPHARMCoefficientReader::CanReadFile(const char* name)
 {
   constexpr std::size_t firstBytes = 4096;
-  conformal::ByteReader input;
-  return name && conformal::openFile(name, input).ok() &&
-      conformal::looksLikeSPHARMCoefficients(input.peek(firstBytes))
+  return name &&
+      conformal::startsLike(name, firstBytes,
+        [](std::string_view first, std::uint64_t)
+        { return conformal::looksLikeSPHARMCoefficients(first); })
     ? 1
     : 0;
 }

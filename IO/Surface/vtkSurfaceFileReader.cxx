@@ -77,17 +77,16 @@ vtkStringArray* vtkSurfaceFileReader::GetReadFileNames()
 //------------------------------------------------------------------------------
 bool vtkSurfaceFileReader::StartsLike(const char* name, bool (*looksRight)(std::string_view))
 {
-  conformal::ByteReader input;
-  return name && conformal::openFile(name, input).ok() && looksRight(input.peek(FirstLines));
+  return name &&
+    conformal::startsLike(name, FirstLines,
+      [looksRight](std::string_view first, std::uint64_t) { return looksRight(first); });
 }
 
 //------------------------------------------------------------------------------
 bool vtkSurfaceFileReader::StartsLike(
   const char* name, bool (*looksRight)(std::string_view, std::uint64_t))
 {
-  conformal::ByteReader input;
-  return name && conformal::openFile(name, input).ok() &&
-    looksRight(input.peek(FirstLines), input.size());
+  return name && conformal::startsLike(name, FirstLines, looksRight);
 }
 
 //------------------------------------------------------------------------------

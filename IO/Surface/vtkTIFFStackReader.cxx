@@ -101,9 +101,9 @@ vtkTIFFStackReader::~vtkTIFFStackReader()
 int vtkTIFFStackReader::CanReadFile(const char* name)
 {
   constexpr std::size_t firstBytes = 4;
-  conformal::ByteReader input;
-  return name && conformal::openFile(name, input).ok() &&
-      conformal::looksLikeTIFF(input.peek(firstBytes))
+  return name &&
+      conformal::startsLike(name, firstBytes,
+        [](std::string_view first, std::uint64_t) { return conformal::looksLikeTIFF(first); })
     ? 1
     : 0;
 }

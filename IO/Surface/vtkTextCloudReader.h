@@ -18,7 +18,7 @@
  * lines determine the meaning.
  * - point array "Normals" (double, 3 components), active: columns nx, ny, nz or normal_x, normal_y,
  *   normal_z. Without names, normals are the last three of six columns, if all of these vectors
- *   have length 1 (within 0.01) or 0.
+ *   have length 1 (within 0.01) or 0, and at least one has length 1.
  * - point array "RGB" (unsigned char, 3 components), active scalars: columns r, g, b or red, green,
  *   blue, if all values are integers in [0, 255]. Without names, colors are the last three of six
  *   columns, if these columns are not normals. Of nine columns, the last six are normals and

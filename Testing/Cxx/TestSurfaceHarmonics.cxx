@@ -424,7 +424,23 @@ TEST_F(SurfaceHarmonics, BadArraysAreRefused)
   order->FillValue(1.0);
   this->Surface->GetPointData()->AddArray(order);
   this->Filter->AddPointArray("Order");
-  this->ExpectRefused("the point array \"Order\" has the name of a column of the table; rename it");
+  this->ExpectRefused("the point array \"Order\" has the name of the map or of a column");
+  this->Filter->RemoveAllPointArrays();
+  this->Filter->AddPointArray("SpherePosition");
+  this->ExpectRefused("the point array \"SpherePosition\" has the name of the map");
+  this->Filter->RemoveAllPointArrays();
+  vtkNew<vtkDoubleArray> vectors, column;
+  vectors->SetName("v");
+  vectors->SetNumberOfComponents(2);
+  column->SetName("v_1");
+  for (vtkDoubleArray* array : { vectors.Get(), column.Get() })
+  {
+    array->SetNumberOfTuples(this->Surface->GetNumberOfPoints());
+    array->Fill(1.0);
+    this->Surface->GetPointData()->AddArray(array);
+    this->Filter->AddPointArray(array->GetName());
+  }
+  this->ExpectRefused("the point array \"v_1\" has the name of the map or of a column");
   this->Filter->RemoveAllPointArrays();
   this->Filter->AddPointArray("Number");
   this->Surface->GetPointData()->GetArray("Number")->SetTuple1(

@@ -146,7 +146,8 @@ public:
             ring += x(this->Neighbors.Ids[at], 0);
           }
           y.row(i) = sum;
-          bent[i] = x(i, 0) - ring / this->Neighbors.size(i);
+          // The center of the fan that closes a border belongs to no triangle of the fit.
+          bent[i] = x(i, 0) - ring / std::max(1, this->Neighbors.size(i));
         }
       });
     forBlocks(run, x.rows(), BlockSize,

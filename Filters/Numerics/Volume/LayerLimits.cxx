@@ -102,6 +102,15 @@ std::vector<int> faultyTriangles(
   return faulty;
 }
 
+// Triangles of layers that are inverted or cross others: their number, their vertices on each side,
+// and the depths of the layers.
+struct LayerFaults
+{
+  std::vector<double> Depths;
+  Index Count = 0;
+  std::vector<unsigned char> Inward, Outward;
+};
+
 class Reduction
 {
 public:
@@ -112,44 +121,44 @@ public:
   {
   }
 
-  // Reduce limits at the faults of the given layers. Return the layers that had faults.
-  std::vector<double> reduce(
-    LayerLimits& limits, const std::vector<double>& depths, const Run& run) const
+  LayerFaults find(
+    const LayerLimits& limits, const std::vector<double>& depths, const Run& run) const
   {
-    constexpr double factor = 0.7;
-    std::vector<double> failed;
-    std::vector<unsigned char> inward(normalsSize(), 0), outward(normalsSize(), 0);
-    limits.NumberOfFaults = 0;
+    LayerFaults faults;
+    faults.Inward.assign(this->normalsSize(), 0);
+    faults.Outward.assign(this->normalsSize(), 0);
     for (std::size_t i = 0; i < depths.size(); ++i)
     {
       run.report(static_cast<double>(i) / static_cast<double>(depths.size()));
       const Points layer = layerPositions(this->Surface, this->Normals, limits, depths[i]);
       const std::vector<int> faulty =
         faultyTriangles(this->Surface, this->Normals, layer, run.unwatched());
-      limits.NumberOfFaults += static_cast<Index>(faulty.size());
+      faults.Count += static_cast<Index>(faulty.size());
       for (const int r : faulty)
       {
         for (int k = 0; k < 3; ++k)
         {
-          (depths[i] < 0.0 ? inward : outward)[this->Surface.Triangles(r, k)] = 1;
+          (depths[i] < 0.0 ? faults.Inward : faults.Outward)[this->Surface.Triangles(r, k)] = 1;
         }
       }
       if (!faulty.empty())
       {
-        failed.push_back(depths[i]);
+        faults.Depths.push_back(depths[i]);
       }
     }
-    for (Index v = 0; v < normalsSize(); ++v)
+    return faults;
+  }
+
+  void reduce(LayerLimits& limits, const LayerFaults& faults) const
+  {
+    constexpr double factor = 0.7;
+    for (Index v = 0; v < this->normalsSize(); ++v)
     {
-      limits.Inward[v] *= inward[v] ? factor : 1.0;
-      limits.Outward[v] *= outward[v] ? factor : 1.0;
+      limits.Inward[v] *= faults.Inward[v] ? factor : 1.0;
+      limits.Outward[v] *= faults.Outward[v] ? factor : 1.0;
     }
-    if (!failed.empty())
-    {
-      makeEven(limits.Inward, this->Surface.Positions, this->Neighbors);
-      makeEven(limits.Outward, this->Surface.Positions, this->Neighbors);
-    }
-    return failed;
+    makeEven(limits.Inward, this->Surface.Positions, this->Neighbors);
+    makeEven(limits.Outward, this->Surface.Positions, this->Neighbors);
   }
 
 private:
@@ -220,13 +229,24 @@ LayerLimits limitLayers(
   const Reduction reduction(surface, normals, neighbors);
   constexpr int mostRounds = 20;
   const Run watch = steps.next();
-  std::vector<double> failed = depths;
-  for (int round = 0; round < mostRounds && !failed.empty(); ++round)
+  std::vector<double> tested = depths;
+  for (int round = 0; round < mostRounds; ++round)
   {
-    failed = reduction.reduce(
-      limits, failed, watch.part(double(round) / mostRounds, double(round + 1) / mostRounds));
+    const LayerFaults faults = reduction.find(
+      limits, tested, watch.part(double(round) / mostRounds, double(round + 1) / mostRounds));
+    if (faults.Depths.empty() && tested.size() == depths.size())
+    {
+      run.report(1.0);
+      return limits;
+    }
+    if (!faults.Depths.empty())
+    {
+      reduction.reduce(limits, faults);
+    }
+    // If limits are reduced at one layer, layers that were good can change.
+    tested = faults.Depths.empty() ? depths : faults.Depths;
   }
-  reduction.reduce(limits, depths, steps.next()); // layers that were good may have changed
+  limits.NumberOfFaults = reduction.find(limits, depths, steps.next()).Count;
   return limits;
 }
 }

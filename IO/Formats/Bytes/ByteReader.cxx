@@ -150,6 +150,16 @@ void ByteReader::requireBytes()
 }
 
 //------------------------------------------------------------------------------
+bool startsLike(const std::string& path, std::size_t size,
+  const std::function<bool(std::string_view, std::uint64_t)>& looksRight)
+{
+  ByteReader input;
+  bool isRight = false;
+  return openFile(path, input).ok() &&
+    statusOf([&]() { isRight = looksRight(input.peek(size), input.size()); }).ok() && isRight;
+}
+
+//------------------------------------------------------------------------------
 ParseStatus openFile(const std::string& path, ByteReader& input)
 {
   const std::filesystem::path name = std::filesystem::u8path(path);
@@ -173,11 +183,34 @@ ParseStatus openFile(const std::string& path, ByteReader& input)
   {
     return { ParseCode::CannotOpen, 0, 0, "cannot be opened for reading" };
   }
-  input = ByteReader([file](char* buffer, std::size_t count)
-    { return static_cast<std::size_t>(file->sgetn(buffer, count)); },
+  // A buffer throws if the system cannot read, such as from a disk with faults.
+  const auto failing = [](const std::ios_base::failure& e) {
+    return ParseError({ ParseCode::CannotOpen, 0, 0, std::string("cannot be read: ") + e.what() });
+  };
+  input = ByteReader(
+    [file, failing](char* buffer, std::size_t count)
+    {
+      try
+      {
+        return static_cast<std::size_t>(file->sgetn(buffer, count));
+      }
+      catch (const std::ios_base::failure& e)
+      {
+        throw failing(e);
+      }
+    },
     size,
-    [file](std::uint64_t offset)
-    { file->pubseekpos(static_cast<std::streamoff>(offset), std::ios::in); });
+    [file, failing](std::uint64_t offset)
+    {
+      try
+      {
+        file->pubseekpos(static_cast<std::streamoff>(offset), std::ios::in);
+      }
+      catch (const std::ios_base::failure& e)
+      {
+        throw failing(e);
+      }
+    });
   return {};
 }
 }

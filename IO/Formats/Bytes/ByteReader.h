@@ -95,6 +95,11 @@ private:
 
 /// Open a regular file. Directories, pipes and devices are rejected without being opened.
 ParseStatus openFile(const std::string& path, ByteReader& input);
+
+/// Test the first bytes of a file. A file that cannot be read does not look right.
+/// @param[in] looksRight  function of up to `size` first bytes, and of the size of the file [bytes]
+bool startsLike(const std::string& path, std::size_t size,
+  const std::function<bool(std::string_view, std::uint64_t)>& looksRight);
 }
 
 #endif

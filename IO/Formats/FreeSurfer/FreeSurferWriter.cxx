@@ -3,6 +3,8 @@
 #include "Bytes/FloatRange.h"
 #include "Bytes/SurfaceWalk.h"
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace conformal
@@ -68,7 +70,13 @@ std::string makeFreeSurferCurv(
   appendBytes(bytes, std::int32_t(1), true);
   for (std::size_t i = 0; i < values.numberOfTuples(); ++i)
   {
-    appendBytes(bytes, static_cast<float>(valueOf(values, i)), true);
+    const double value = valueOf(values, i);
+    if (std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max())
+    {
+      throw std::invalid_argument("array \"" + values.Name +
+        "\" has values that are not finite as 32-bit floats, the only type of the format");
+    }
+    appendBytes(bytes, static_cast<float>(value), true);
   }
   return bytes;
 }

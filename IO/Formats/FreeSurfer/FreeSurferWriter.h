@@ -31,6 +31,7 @@ std::string makeFreeSurferSphere(const SurfaceData& surface, const Run& run = {}
 /// @param[in] numberOfPolygons  number of polygons of the surface to which the values belong;
 ///   stored in the file
 /// @return the bytes of the file
+/// @throws std::invalid_argument if a finite value is beyond the range of floats
 /// @throws Aborted if the progress callback of `run` returns false
 std::string makeFreeSurferCurv(
   const NamedArray& values, std::size_t numberOfPolygons, const Run& run = {});

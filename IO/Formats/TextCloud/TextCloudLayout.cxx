@@ -223,15 +223,17 @@ bool areColors(const Rows& rows, std::size_t first)
     });
 }
 
+// Rows of zeros are black, unless another row is a normal.
 bool areNormals(const Rows& rows, std::size_t first)
 {
   constexpr double tolerance = 0.01; // tolerance for normals with three digits
+  const auto lengthOf = [first](const std::vector<double>& row)
+  { return std::hypot(row[first], row[first + 1], row[first + 2]); };
   return std::all_of(rows.begin(), rows.end(),
-    [&](const std::vector<double>& row)
-    {
-      const double length = std::hypot(row[first], row[first + 1], row[first + 2]);
-      return length == 0.0 || std::abs(length - 1.0) < tolerance;
-    });
+           [&](const std::vector<double>& row)
+           { return lengthOf(row) == 0.0 || std::abs(lengthOf(row) - 1.0) < tolerance; }) &&
+    std::any_of(rows.begin(), rows.end(),
+      [&](const std::vector<double>& row) { return lengthOf(row) > 0.0; });
 }
 
 std::vector<std::string> namesByValues(const Rows& rows, std::size_t columns)

@@ -66,8 +66,8 @@ public:
 /// are x, y and z. The meaning of the columns after z is then found from the number of columns and
 /// the values in the first hundred lines:
 /// - 4 columns: the fourth column is the intensity;
-/// - 6 columns: normals if all of them have length 1 (within 0.01) or 0; otherwise colors if all
-///   values are integers in [0, 255];
+/// - 6 columns: normals if all of them have length 1 (within 0.01) or 0, and at least one has
+///   length 1; otherwise colors if all values are integers in [0, 255];
 /// - 7 columns: intensity and colors, or colors and intensity;
 /// - 9 columns: normals and colors, or colors and normals.
 ///

@@ -219,9 +219,10 @@ private:
         std::memcpy(tuple + column.Component * sizeof(double), &this->Row[i], sizeof(double));
         continue;
       }
-      if (!(this->Row[i] >= 0.0 && this->Row[i] <= 255.0))
+      if (!(this->Row[i] >= 0.0 && this->Row[i] <= 255.0) ||
+        this->Row[i] != std::floor(this->Row[i]))
       {
-        this->Lines.failExpecting("colors in 0..255 as in the lines before");
+        this->Lines.failExpecting("colors as integers in 0..255 as in the lines before");
       }
       tuple[column.Component] = static_cast<unsigned char>(this->Row[i]);
     }
@@ -245,6 +246,7 @@ private:
     if (this->Options.SkipMalformedLines)
     {
       ++this->Data.SkippedLines;
+      this->PointsToCome -= this->PointsToCome > 0 ? 1 : 0; // the count includes the line
       return;
     }
     const bool mayBeDecimal =

@@ -94,6 +94,23 @@ TEST(ByteReader, OpensRegularFilesOnly)
   std::filesystem::remove_all(folder);
 }
 
+#ifdef __linux__
+// The system refuses to read this regular file, since a loopback has no speed.
+TEST(ByteReader, FilesThatCannotBeReadAreReported)
+{
+  const std::string path = "/sys/class/net/lo/speed";
+  conformal::ByteReader input;
+  if (!conformal::openFile(path, input).ok())
+  {
+    GTEST_SKIP() << "there is no " << path;
+  }
+  const conformal::ParseStatus status = conformal::statusOf([&]() { input.peek(100); });
+  EXPECT_EQ(status.Code, conformal::ParseCode::CannotOpen);
+  EXPECT_NE(status.Message.find("cannot be read"), std::string::npos) << status.Message;
+  EXPECT_FALSE(conformal::startsLike(path, 100, [](auto, auto) { return true; }));
+}
+#endif
+
 TEST(ByteReader, SkipsBinaryDataWithoutReadingThem)
 {
   constexpr std::size_t size = std::size_t(16) << 20;

@@ -58,6 +58,16 @@ TEST(FreeSurferWriter, RefusesWhatFloatsCannotHold)
   EXPECT_THROW(conformal::makeFreeSurferSurface(made(1e-300, 0.0)), std::invalid_argument);
 }
 
+TEST(FreeSurferWriter, RefusesValuesThatFloatsCannotHold)
+{
+  NamedArray values = makeArray("Curvature", ScalarType::Float64, 1);
+  for (const double value : { 0.5, -1e300 })
+  {
+    append(values, &value);
+  }
+  EXPECT_THROW(conformal::makeFreeSurferCurv(values, 4), std::invalid_argument);
+}
+
 TEST(FreeSurferWriter, RefusesSurfacesTooFarForFloats)
 {
   ExpectRefusesDistantSurfaces(

@@ -27,6 +27,20 @@ TEST(OFFWriter, IsReadBackTheSame)
   }
 }
 
+// MeshLab takes a color for bytes if its first number has no point.
+TEST(OFFWriter, NumbersOfColorsHaveAPoint)
+{
+  SurfaceData data = tetrahedron(false);
+  data.PointArrays.push_back(arrayOf<std::uint8_t>(
+    "RGB", ScalarType::UInt8, 3, { 255, 51, 0, 0, 0, 0, 255, 255, 255, 51, 0, 255 }));
+  const std::string text = conformal::makeOFF(data);
+  for (const char* color :
+    { " 1.0 0.2 0.0\n", " 0.0 0.0 0.0\n", " 1.0 1.0 1.0\n", " 0.2 0.0 1.0\n" })
+  {
+    EXPECT_NE(text.find(color), std::string::npos) << color << text;
+  }
+}
+
 TEST(OFFWriter, StopsWhenAsked)
 {
   ExpectStopsWhenAsked(

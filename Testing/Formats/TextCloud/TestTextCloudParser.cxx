@@ -130,6 +130,8 @@ TEST(TextCloudParser, TellsUnnamedColumnsByTheirNumberAndValues)
   EXPECT_EQ(namesOf("0 0 0 1 2 3 0.5\n"), (Names{ "RGB", "Intensity" }));
   EXPECT_EQ(namesOf("0 0 0 1 2 3 0 0 1\n"), (Names{ "Normals", "RGB" }));
   EXPECT_EQ(namesOf("0 0 0 0 0 1 1 2 3\n"), (Names{ "Normals", "RGB" }));
+  EXPECT_EQ(namesOf("0 0 0 0 0 0\n0 0 1 0 0 0\n"), (Names{ "RGB" })); // black
+  EXPECT_EQ(namesOf("0 0 0 0 0 0\n0 0 1 0 0 1\n"), (Names{ "Normals" }));
   const SurfaceResult laser = parse("0 0 0 -5 1 2 3\n");
   ExpectArray<double>(laser.Data.PointArrays, "Intensity", ScalarType::Float64, 1, { -5 });
   ExpectArray<std::uint8_t>(laser.Data.PointArrays, "RGB", ScalarType::UInt8, 3, { 1, 2, 3 });
@@ -200,6 +202,16 @@ TEST(TextCloudParser, NamesWhatIsWrongWithALine)
   ExpectRefused("2\n1 2 3\n1 2 3 4\n", ParseCode::Malformed, 3, "with 4 columns, expected 3");
 }
 
+TEST(TextCloudParser, FractionsAfterColorsAreRefused)
+{
+  std::string text;
+  for (int i = 0; i < 120; ++i)
+  {
+    text += "0 0 0 1 1 1\n";
+  }
+  ExpectRefused(text + "5 5 5 0.5 0.7 0.2\n", ParseCode::Malformed, 121, "integers in 0..255");
+}
+
 TEST(TextCloudParser, CountsWhatItLeavesOut)
 {
   conformal::TextCloudOptions options;
@@ -209,6 +221,10 @@ TEST(TextCloudParser, CountsWhatItLeavesOut)
   EXPECT_EQ(values<double>(result.Data.Points), (std::vector<double>{ 1, 2, 3, 4, 5, 6 }));
   EXPECT_EQ(result.Data.DroppedPoints, 2u);
   EXPECT_EQ(result.Data.SkippedLines, 2u);
+  const SurfaceResult counted = parse("3\n0 0 0\nbad\n1 1 1\n1\n2 2 2\n", options);
+  ASSERT_TRUE(counted.Status.ok()) << counted.Status.text();
+  EXPECT_EQ(counted.Data.Points.numberOfTuples(), 3u);
+  EXPECT_EQ(counted.Data.SkippedLines, 1u);
   const SurfaceResult replaced = parse("1 2 3 nan\n");
   EXPECT_EQ(replaced.Data.ReplacedValues, 1u);
 }

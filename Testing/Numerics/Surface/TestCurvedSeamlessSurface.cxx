@@ -822,6 +822,26 @@ TEST(CurvedSeamlessSurface, ASheetEndsAtItsBorder)
   }
 }
 
+TEST(CurvedSeamlessSurface, DomesOfASheetAreFitted)
+{
+  conformal::MappedMesh sheet;
+  static_cast<conformal::Mesh&>(sheet) = sheets::cap(6, 0.5 * conformal::Pi);
+  sheet.SpherePositions = sheet.Positions;
+  const Points cloud = sheets::cap(40, 0.5 * conformal::Pi).Positions;
+  const conformal::TrainingSamples samplesOfCloud{ conformal::PointView(cloud) };
+  const CurvedSeamlessSurface surface(
+    conformal::withCaps(sheet), optionsOf(DomeHeight::Fitted), &samplesOfCloud);
+  const conformal::Mesh fine = conformal::subdividedNetwork(surface, 3);
+  std::vector<double> positions(3 * fine.Positions.rows());
+  conformal::SurfaceSamples samples;
+  samples.Positions = positions.data();
+  conformal::evaluate(surface, fine.Positions, samples);
+  for (Index i = 0; i < fine.Positions.rows(); ++i)
+  {
+    EXPECT_NEAR(Vector3(positions.data() + 3 * i).norm(), 1.0, 2e-3); // flat triangles: 0.006
+  }
+}
+
 TEST(CurvedSeamlessSurface, BeyondTheBorderOfASheetThereIsNothing)
 {
   conformal::MappedMesh sheet;
