@@ -236,7 +236,7 @@ def print_details(name, outcomes):
 def setting(text):
     name, _, value = text.partition("=")
     if not any(hasattr(kind, "Set" + name) for kind in (vtkSphericalRegistration, vtkSphericalTemplate)):
-        raise argparse.ArgumentTypeError(f"neither vtkSphericalRegistration nor vtkSphericalTemplate has {name}")
+        raise argparse.ArgumentTypeError(f"vtkSphericalRegistration and vtkSphericalTemplate have no property {name}")
     return name, float(value) if "." in value or "e" in value else int(value)
 
 

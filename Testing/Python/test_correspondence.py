@@ -313,7 +313,7 @@ class TestCompareRegistrations(unittest.TestCase):
     def test_a_row_counts_reported_pairs_among_wrong_and_right_ones(self):
         outcomes = [SimpleNamespace(mean=mean, judged=np.array([mean]), is_ambiguous=reported, flips=1, seconds=2.0)
                     for mean, reported in ((0.05, False), (0.2, True), (0.05, False), (0.3, True), (0.4, False))]
-        row = compare_registrations.row_of([0, 1], 5, outcomes, SimpleNamespace(folder="heads/", space="Rotation"))
+        row = compare_registrations.row_of([0, 1], 5, outcomes, SimpleNamespace(folder="heads/", space="Rotation", template=False))
         self.assertEqual(row, ("heads", "Rotation", "2 of 5", "0.200", "0.200", "0.400", "2", "40 %", "5", "1 of 2",
                                "1 of 3", "2.0"))
 
