@@ -183,10 +183,8 @@ void AddTable(vtkTable* table, const conformal::Columns& coefficients,
     harmonics.Coefficients.data(), 3 * coefficients.rows(), frame, "a coefficient");
   for (const ChosenArray& chosen : arrays)
   {
-    for (const std::string& column : ColumnNames(chosen))
-    {
-      harmonics.Names.push_back(column);
-    }
+    const std::vector<std::string> columns = ColumnNames(chosen);
+    harmonics.Names.insert(harmonics.Names.end(), columns.begin(), columns.end());
   }
   if (!coefficients.allFinite())
   {

@@ -20,8 +20,7 @@ import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
@@ -30,6 +29,7 @@ from helpers import paper_models  # pylint: disable=wrong-import-position
 from conformalsom import (  # pylint: disable=wrong-import-position
     vtkGlobalConformalMap, vtkSphericalRegistration, vtkSphericalTemplate)
 from conformalsom.command import scan_files  # pylint: disable=wrong-import-position
+from conformalsom.inputs import mark_landmarks  # pylint: disable=wrong-import-position
 
 FAR = 0.25  # an error as from head to tail
 
@@ -159,21 +159,13 @@ class TemplateOutcome(Outcome):
 
 
 def template_outcomes(models, given, args, unjudged):
-    template = vtkSphericalTemplate()
+    template, surfaces = vtkSphericalTemplate(), [model.mapped for model in models]
     for name, value in args.settings:
         getattr(template, "Set" + name)(value)
-    for model in models:
-        surface, numbers = vtkPolyData(), vtkIntArray()
-        surface.ShallowCopy(model.mapped)
-        numbers.SetName("Landmark")
-        numbers.SetNumberOfTuples(surface.GetNumberOfPoints())
-        numbers.Fill(0)
-        for number, i in enumerate(given, 1):
-            numbers.SetValue(model.landmarks[i], number)
-        surface.GetPointData().AddArray(numbers)
-        template.AddInputDataObject(surface)
     if given:
-        template.SetLandmarkArrayName("Landmark")
+        template.SetLandmarkArrayName(mark_landmarks(surfaces, [[m.landmarks[i] for i in given] for m in models]))
+    for surface in surfaces:
+        template.AddInputDataObject(surface)
     begin = time.process_time()
     blocks = paper_models.run(template)
     seconds = (time.process_time() - begin) / len(models)

@@ -3,12 +3,10 @@ from __future__ import annotations
 
 import typing
 
-import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from conformalsom.filters import updated
-from conformalsom.inputs import MeshLike, Path, PointsLike, VolumeLike, point_set, volume_of
+from conformalsom.inputs import MeshLike, Path, PointsLike, VolumeLike, mark_landmarks, point_set, volume_of
 from conformalsom.keywords import properties_of
 from conformalsom.reporting import Progress
 from conformalsom.surface import Array, Surface, columns_of
@@ -134,28 +132,6 @@ def mean_shape(surfaces: typing.Iterable[MeshLike], *,
         properties["landmark_array_name"] = mark_landmarks(data, landmarks)
     template, warnings = updated("vtkSphericalTemplate", data, progress, properties)
     return Surface(template.GetMeanSurface(), warnings=warnings)
-
-
-def mark_landmarks(surfaces: typing.List[typing.Any], landmarks: typing.Sequence[typing.Sequence[int]]) -> str:
-    """Replace surfaces by copies with a point array: 1, 2 ... at landmarks, else 0. Return the name of the array."""
-    name = "Landmark"
-    lists = [np.asarray(ids) for ids in landmarks]
-    if len(lists) != len(surfaces) or len({ids.shape for ids in lists}) != 1:
-        raise ValueError(f"landmarks must be {len(surfaces)} lists of ids, one for each surface and all of one length")
-    for i, (surface, ids) in enumerate(zip(surfaces, lists)):
-        count = surface.GetNumberOfPoints()
-        if ids.ndim != 1 or ids.dtype.kind not in "iu" or ids.size and not 0 <= ids.min() <= ids.max() < count:
-            raise ValueError(f"landmarks of surface {i} must be ids of points in [0, {count - 1}]")
-        if len(np.unique(ids)) < ids.size:
-            raise ValueError(f"landmarks of surface {i} repeat an id")
-        numbers = np.zeros(count, np.int32)
-        numbers[ids] = np.arange(1, ids.size + 1)
-        array = numpy_to_vtk(numbers, deep=True)
-        array.SetName(name)
-        surfaces[i] = surface.NewInstance()
-        surfaces[i].ShallowCopy(surface)
-        surfaces[i].GetPointData().AddArray(array)
-    return name
 
 
 def read(path: Path) -> Surface:

@@ -114,6 +114,28 @@ def with_normals(cloud: vtkPolyData, normals: typing.Any) -> vtkPolyData:
     return cloud
 
 
+def mark_landmarks(surfaces: typing.List[typing.Any], landmarks: typing.Sequence[typing.Sequence[int]]) -> str:
+    """Replace surfaces by copies with a point array: 1, 2 ... at landmarks, else 0. Return the name of the array."""
+    name = "Landmark"
+    lists = [np.asarray(ids) for ids in landmarks]
+    if len(lists) != len(surfaces) or len({ids.shape for ids in lists}) != 1:
+        raise ValueError(f"landmarks must be {len(surfaces)} lists of ids, one for each surface and all of one length")
+    for i, (surface, ids) in enumerate(zip(surfaces, lists)):
+        count = surface.GetNumberOfPoints()
+        if ids.ndim != 1 or ids.dtype.kind not in "iu" or ids.size and not 0 <= ids.min() <= ids.max() < count:
+            raise ValueError(f"landmarks of surface {i} must be ids of points in [0, {count - 1}]")
+        if len(np.unique(ids)) < ids.size:
+            raise ValueError(f"landmarks of surface {i} repeat an id")
+        numbers = np.zeros(count, np.int32)
+        numbers[ids] = np.arange(1, ids.size + 1)
+        array = numpy_to_vtk(numbers, deep=True)
+        array.SetName(name)
+        surfaces[i] = surface.NewInstance()
+        surfaces[i].ShallowCopy(surface)
+        surfaces[i].GetPointData().AddArray(array)
+    return name
+
+
 def read(path: Path) -> typing.Any:
     """Read a scan or a mesh; the reader is chosen by the file's content and extension.
 

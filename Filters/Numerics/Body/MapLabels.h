@@ -53,7 +53,7 @@ struct MapLabels
 /// @param[in] body  body with a sphere map whose north pole is (0, 0, 1)
 /// @param[in] labels  label of each pixel; labels outside of the map are ignored
 /// @throws std::invalid_argument if there are no pixels or no triangles, if the number of labels is
-///   not that of the pixels, or if a point is not finite
+///   not that of the pixels, or if a triangle has a point that is not finite
 MapLabels measureMapLabels(const MappedMesh& body, const MapImage& image,
   const std::vector<int>& labels, const Run& run = {});
 }

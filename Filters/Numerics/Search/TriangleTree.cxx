@@ -126,6 +126,7 @@ struct TriangleTree::Branch
 {
   int Node, First, Count;
 };
+
 FootPoint closestPointOfTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
 {

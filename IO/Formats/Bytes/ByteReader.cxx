@@ -183,34 +183,11 @@ ParseStatus openFile(const std::string& path, ByteReader& input)
   {
     return { ParseCode::CannotOpen, 0, 0, "cannot be opened for reading" };
   }
-  // A buffer throws if the system cannot read, such as from a disk with faults.
-  const auto failing = [](const std::ios_base::failure& e) {
-    return ParseError({ ParseCode::CannotOpen, 0, 0, std::string("cannot be read: ") + e.what() });
-  };
-  input = ByteReader(
-    [file, failing](char* buffer, std::size_t count)
-    {
-      try
-      {
-        return static_cast<std::size_t>(file->sgetn(buffer, count));
-      }
-      catch (const std::ios_base::failure& e)
-      {
-        throw failing(e);
-      }
-    },
+  input = ByteReader([file](char* buffer, std::size_t count)
+    { return static_cast<std::size_t>(file->sgetn(buffer, count)); },
     size,
-    [file, failing](std::uint64_t offset)
-    {
-      try
-      {
-        file->pubseekpos(static_cast<std::streamoff>(offset), std::ios::in);
-      }
-      catch (const std::ios_base::failure& e)
-      {
-        throw failing(e);
-      }
-    });
+    [file](std::uint64_t offset)
+    { file->pubseekpos(static_cast<std::streamoff>(offset), std::ios::in); });
   return {};
 }
 }

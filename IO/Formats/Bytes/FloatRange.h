@@ -46,6 +46,18 @@ void requireFloatRange(std::size_t count, Coordinate coordinate)
   }
 }
 
+/// Round a value of an array to a float.
+/// @throws std::invalid_argument if the value is finite, but beyond the range of floats
+inline float floatOf(double value, const std::string& array)
+{
+  if (std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max())
+  {
+    throw std::invalid_argument(
+      "array \"" + array + "\" has values that a 32-bit float cannot hold");
+  }
+  return static_cast<float>(value);
+}
+
 /// Effect of rounding the points of a surface to floats. All members are in the unit of the points.
 struct FloatRounding
 {

@@ -2,6 +2,7 @@
 
 #include "Base/Run.h"
 
+#include <ios>
 #include <new>
 
 namespace conformal
@@ -43,6 +44,10 @@ ParseStatus statusOf(const std::function<void()>& parse)
   catch (const Aborted& e)
   {
     return { ParseCode::Aborted, 0, 0, e.what() };
+  }
+  catch (const std::ios_base::failure& e) // the system cannot read, such as from a disk with faults
+  {
+    return { ParseCode::CannotOpen, 0, 0, std::string("cannot be read: ") + e.what() };
   }
   catch (const std::bad_alloc&)
   {

@@ -3,8 +3,6 @@
 #include "Bytes/FloatRange.h"
 #include "Bytes/SurfaceWalk.h"
 
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace conformal
@@ -70,13 +68,7 @@ std::string makeFreeSurferCurv(
   appendBytes(bytes, std::int32_t(1), true);
   for (std::size_t i = 0; i < values.numberOfTuples(); ++i)
   {
-    const double value = valueOf(values, i);
-    if (std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max())
-    {
-      throw std::invalid_argument("array \"" + values.Name +
-        "\" has values that are not finite as 32-bit floats, the only type of the format");
-    }
-    appendBytes(bytes, static_cast<float>(value), true);
+    appendBytes(bytes, floatOf(valueOf(values, i), values.Name), true);
   }
   return bytes;
 }

@@ -5,8 +5,6 @@
 #include "Text/BinaryTextEncoder.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -224,13 +222,7 @@ NamedArray asFloats(const NamedArray& array)
   floats.Values.reserve(array.numberOfTuples() * sizeof(float));
   for (std::size_t i = 0; i < array.numberOfTuples(); ++i)
   {
-    const double value = valueOf(array, i);
-    if (std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max())
-    {
-      throw std::invalid_argument(
-        "array \"" + array.Name + "\" has values that a 32-bit float cannot hold");
-    }
-    const auto number = static_cast<float>(value);
+    const float number = floatOf(valueOf(array, i), array.Name);
     append(floats, &number);
   }
   return floats;
