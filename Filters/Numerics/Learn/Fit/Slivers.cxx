@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 namespace conformal
@@ -17,6 +18,9 @@ constexpr double Gain = 1.05;
 constexpr int MinimumNeighbors = 4; // of the vertices that lose one
 // Largest part that is cut off, as a fraction of the vertices. Larger parts belong to the object.
 constexpr double LargestCutPart = 0.005;
+// Largest length of a part that is cut off, in edges of its loop. The tails and ears of objects
+// are longer.
+constexpr double LargestCutLength = 1.5;
 
 using Corners = std::array<int, 3>;
 
@@ -63,6 +67,7 @@ public:
     : Surface(mesh)
     , Removal(removal)
     , Rings(mesh.Triangles, mesh.Positions.rows())
+    , CutLength(mesh.Positions.rows(), 0.0)
   {
     removal.Sources.resize(mesh.Positions.rows());
     for (int v = 0; v < static_cast<int>(removal.Sources.size()); ++v)
@@ -192,6 +197,33 @@ private:
     return false;
   }
 
+  double longestEdge(const Corners& loop) const
+  {
+    double longest = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      longest = std::max(longest, (this->place(loop[k]) - this->place(loop[next(k)])).norm());
+    }
+    return longest;
+  }
+
+  /// Return how far a part reaches beyond its loop, with what was cut off from it before.
+  /// Otherwise, repeated cuts would shorten a tail.
+  double lengthBeyond(const Corners& loop, const std::vector<int>& part) const
+  {
+    double length = 0.0;
+    for (const int v : part)
+    {
+      double nearest = std::numeric_limits<double>::max();
+      for (const int corner : loop)
+      {
+        nearest = std::min(nearest, (this->place(v) - this->place(corner)).norm());
+      }
+      length = std::max(length, nearest + this->CutLength[v]);
+    }
+    return length;
+  }
+
   /// Collapse the part of the surface that contains a vertex and ends at a loop. Return false if
   /// the part is not small.
   bool cutOff(const Corners& loop, int start)
@@ -213,6 +245,15 @@ private:
           part.push_back(v);
         }
       }
+    }
+    const double length = this->lengthBeyond(loop, part);
+    if (length > LargestCutLength * this->longestEdge(loop))
+    {
+      return false;
+    }
+    for (const int v : loop)
+    {
+      this->CutLength[v] = std::max(this->CutLength[v], length);
     }
     bool any = false;
     for (std::size_t before = part.size() + 1; part.size() < before;)
@@ -368,6 +409,7 @@ private:
   Mesh& Surface;
   SliverRemoval& Removal;
   VertexRings Rings;
+  std::vector<double> CutLength; ///< of what was cut off at each vertex
   std::priority_queue<Sliver> Queue;
   bool Changed = false;
   std::vector<int> Free; ///< vertices not in use, in the sequence of their removal

@@ -29,7 +29,9 @@ struct SliverRemoval
 /// then below about 6 degrees.
 ///
 /// First, small parts of the surface that are joined to the rest by three edges are cut off. Such a
-/// part has at most 0.5 % of the vertices. A map to the sphere cannot represent it.
+/// part has at most 0.5 % of the vertices, and reaches at most 1.5 times the longest of these edges
+/// beyond them. A map to the sphere cannot represent it. Longer parts, such as thin tails, belong
+/// to the object.
 ///
 /// The worst sliver is first. Its longest edge is flipped, or one of its edges collapses, so that
 /// the worst of the changed triangles is better than before. No other triangle turns by 26 degrees

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using conformal::Index;
@@ -147,4 +148,44 @@ TEST(Slivers, PartsThatHangOnThreeEdgesAreCutOff)
     EXPECT_LT(mesh.Positions.row(vertices + k).norm(), 1.0);
     EXPECT_NE(removal.Sources[vertices + k][0], removal.Sources[vertices + k][1]);
   }
+}
+
+// A tail around which three edges lead at each of its rings is longer than these edges. At most
+// its last ring is cut off.
+TEST(Slivers, ThinTailsAreKept)
+{
+  constexpr int rings = 5, row = 700;
+  const Mesh sphere = conformal::makeGeodesicSphere(40);
+  const Index vertices = sphere.Positions.rows(), triangles = sphere.Triangles.rows();
+  Mesh mesh;
+  mesh.Positions.resize(vertices + 3 * rings, 3);
+  mesh.Positions.topRows(vertices) = sphere.Positions;
+  mesh.Triangles.resize(triangles + 6 * rings, 3);
+  mesh.Triangles.topRows(triangles) = sphere.Triangles;
+  std::array<int, 3> below = { sphere.Triangles(row, 0), sphere.Triangles(row, 1),
+    sphere.Triangles(row, 2) };
+  const double edge = (sphere.Positions.row(below[0]) - sphere.Positions.row(below[1])).norm();
+  Index used = triangles;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    std::array<int, 3> above;
+    for (int k = 0; k < 3; ++k)
+    {
+      above[k] = static_cast<int>(vertices) + 3 * ring + k;
+      mesh.Positions.row(above[k]) =
+        (1.0 + (ring + 1) * edge) * sphere.Positions.row(sphere.Triangles(row, k));
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const int n = conformal::next(k);
+      mesh.Triangles.row(used++) << below[k], below[n], above[k];
+      mesh.Triangles.row(used++) << below[n], above[n], above[k];
+    }
+    below = above;
+  }
+  mesh.Triangles.row(row) << below[0], below[1], below[2];
+  ASSERT_NO_THROW(conformal::requireGenusZero(mesh.Triangles, mesh.Positions.rows()));
+  ASSERT_LT(3.0 * rings, 0.005 * static_cast<double>(mesh.Positions.rows()));
+  conformal::removeSlivers(mesh);
+  EXPECT_GT(mesh.Positions.rowwise().norm().maxCoeff(), 1.0 + (rings - 1.5) * edge);
 }
