@@ -384,7 +384,7 @@ private:
   {
     const auto across = this->Rings.across(a, b);
     if (this->Rings[across.Left].size() <= 3 || this->Rings[across.Right].size() <= 3 ||
-      !this->Rings.canCollapse(b, a))
+      !this->Rings.canCollapse(b, a) || (!anyway && this->Rings.collapsePinches(b, a)))
     {
       return false;
     }
@@ -444,7 +444,7 @@ private:
       const Vector3 newA = twiceAreaVector(pa, pr, pl), newB = twiceAreaVector(pb, pl, pr);
       const Vector3 mean = oldLeft + oldRight;
       const double dihedral = cosineBetween(newA, newB);
-      return cosineBetween(newA, mean) > MinimumCosine &&
+      return !this->Rings.flipPinches(a, b) && cosineBetween(newA, mean) > MinimumCosine &&
         cosineBetween(newB, mean) > MinimumCosine &&
         (dihedral >= minimumDihedral || dihedral >= cosineBetween(oldLeft, oldRight)) &&
         std::min(triangleQuality(pa, pr, pl), triangleQuality(pb, pl, pr)) >=

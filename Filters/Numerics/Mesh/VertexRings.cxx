@@ -65,6 +65,22 @@ bool VertexRings::canCollapse(int v, int u) const
 }
 
 //------------------------------------------------------------------------------
+bool VertexRings::collapsePinches(int v, int u) const
+{
+  const Ring& ring = this->Rings[v];
+  const Ring& other = this->Rings[u];
+  const auto contains = [](const Ring& ids, int id)
+  { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
+  return std::any_of(ring.begin(), ring.end(),
+    [&](int x)
+    {
+      return x != u && !contains(other, x) &&
+        std::any_of(other.begin(), other.end(),
+          [&](int y) { return y != v && !contains(ring, y) && contains(this->Rings[x], y); });
+    });
+}
+
+//------------------------------------------------------------------------------
 Ring VertexRings::collapse(int v, int u)
 {
   Ring ring = std::move(this->Rings[v]);
@@ -139,6 +155,17 @@ bool VertexRings::canFlip(int a, int b) const
   const auto [left, right] = this->across(a, b);
   const Ring& ring = this->Rings[left];
   return std::find(ring.begin(), ring.end(), right) == ring.end();
+}
+
+//------------------------------------------------------------------------------
+bool VertexRings::flipPinches(int a, int b) const
+{
+  const auto [left, right] = this->across(a, b);
+  const Ring& ring = this->Rings[left];
+  const Ring& other = this->Rings[right];
+  return std::any_of(ring.begin(), ring.end(),
+    [&](int x)
+    { return x != a && x != b && std::find(other.begin(), other.end(), x) != other.end(); });
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,11 @@ public:
   /// @pre more than four vertices are in use
   bool canCollapse(int v, int u) const;
 
+  /// Test whether a collapse of v into its neighbor u would make a loop of three edges that bounds
+  /// no triangle. A part of the surface then hangs on three edges, and maps distort it.
+  /// @pre canCollapse(v, u)
+  bool collapsePinches(int v, int u) const;
+
   /// Collapse v into its neighbor u. Vertex v is then no longer in use.
   /// @return ring of v before the collapse, starting with u
   Ring collapse(int v, int u);
@@ -57,6 +62,11 @@ public:
   /// - Vertices a and b each have more than three neighbors.
   /// - The two vertices opposite the edge are not neighbors.
   bool canFlip(int a, int b) const;
+
+  /// Test whether a flip of the edge between a and b would make a loop of three edges that bounds no
+  /// triangle, see collapsePinches().
+  /// @pre canFlip(a, b)
+  bool flipPinches(int a, int b) const;
 
   /// Vertices opposite the edge between a and b. The triangles of the edge are (a, b, Left) and (b,
   /// a, Right).

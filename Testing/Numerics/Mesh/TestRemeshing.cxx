@@ -8,9 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 using conformal::Index;
 using conformal::Points;
@@ -130,6 +133,38 @@ TEST(Remeshing, ScalesBitByBitWithPowersOfTwo)
   remesh(other, exactly(500));
   EXPECT_EQ(8.0 * one.Positions, other.Positions);
   EXPECT_EQ(one.Triangles, other.Triangles);
+}
+
+// Around an ellipsoid as thin as an edge is long, no loop of three edges leads. A map to the sphere
+// would distort the part that hangs on it.
+TEST(Remeshing, DoesNotPinchThinParts)
+{
+  constexpr double thickness = 0.03;
+  Surface surface = ellipsoid(12, { 1.0, thickness, thickness });
+  RemeshingOptions options = exactly(100);
+  options.MeetNumber = false;
+  remesh(surface, options);
+  std::set<std::array<int, 3>> faces;
+  std::set<std::pair<int, int>> edges;
+  for (Index r = 0; r < surface.Triangles.rows(); ++r)
+  {
+    std::array<int, 3> ids = { surface.Triangles(r, 0), surface.Triangles(r, 1),
+      surface.Triangles(r, 2) };
+    std::sort(ids.begin(), ids.end());
+    faces.insert(ids);
+    edges.insert({ { ids[0], ids[1] }, { ids[0], ids[2] }, { ids[1], ids[2] } });
+  }
+  Index pinches = 0;
+  for (const auto& [a, b] : edges)
+  {
+    for (auto other = edges.lower_bound({ b, 0 }); other != edges.end() && other->first == b;
+         ++other)
+    {
+      const int c = other->second;
+      pinches += edges.count({ a, c }) > 0 && faces.count({ a, b, c }) == 0;
+    }
+  }
+  EXPECT_EQ(pinches, 0);
 }
 
 // The smallest closed surface, and one that has too few vertices to collapse any.

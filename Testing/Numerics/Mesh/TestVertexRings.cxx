@@ -119,3 +119,23 @@ TEST(VertexRings, AFlipThatWouldDoubleAnEdgeIsRefused)
   tetrahedron << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
   EXPECT_FALSE(VertexRings(tetrahedron, 4).canFlip(0, 1));
 }
+
+// A collapse or flip in an octahedron leaves a loop around the rest that bounds no triangle.
+TEST(VertexRings, ChangesThatPinchTheSurfaceAreFound)
+{
+  Triangles octahedron(8, 3);
+  octahedron << 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5;
+  const VertexRings small(octahedron, 6);
+  ASSERT_TRUE(small.canCollapse(0, 1));
+  EXPECT_TRUE(small.collapsePinches(0, 1));
+  ASSERT_TRUE(small.canFlip(0, 1));
+  EXPECT_TRUE(small.flipPinches(0, 1));
+
+  const auto sphere = conformal::makeGeodesicSphere(6);
+  const VertexRings rings(sphere.Triangles, sphere.Positions.rows());
+  for (int v = 0; v < static_cast<int>(sphere.Positions.rows()); ++v)
+  {
+    EXPECT_FALSE(rings.collapsePinches(v, rings[v][0]));
+    EXPECT_FALSE(rings.flipPinches(v, rings[v][0]));
+  }
+}
