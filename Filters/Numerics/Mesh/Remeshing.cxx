@@ -444,11 +444,12 @@ private:
       const Vector3 newA = twiceAreaVector(pa, pr, pl), newB = twiceAreaVector(pb, pl, pr);
       const Vector3 mean = oldLeft + oldRight;
       const double dihedral = cosineBetween(newA, newB);
-      return !this->Rings.flipPinches(a, b) && cosineBetween(newA, mean) > MinimumCosine &&
+      return cosineBetween(newA, mean) > MinimumCosine &&
         cosineBetween(newB, mean) > MinimumCosine &&
         (dihedral >= minimumDihedral || dihedral >= cosineBetween(oldLeft, oldRight)) &&
         std::min(triangleQuality(pa, pr, pl), triangleQuality(pb, pl, pr)) >=
-        minimumQuality * std::min(triangleQuality(pa, pb, pl), triangleQuality(pb, pa, pr));
+        minimumQuality * std::min(triangleQuality(pa, pb, pl), triangleQuality(pb, pa, pr)) &&
+        !this->Rings.flipPinches(a, b);
     };
     this->perform(
       proposed,
