@@ -25,6 +25,8 @@ vtkStandardNewMacro(vtkGlobalConformalMap);
 
 namespace
 {
+const char* const DiskPositionName = "DiskPosition";
+
 void AddFigures(vtkFieldData* data, const conformal::GlobalConformalMapResult& map)
 {
   using glue::AddNumber;
@@ -49,13 +51,34 @@ void RequireRobust(const conformal::GlobalConformalMapOptions& options, const st
   }
 }
 
+// Remove arrays of the input that describe an earlier map of it.
+void RemoveOldResults(vtkPolyData* output)
+{
+  for (const char* name :
+    { glue::SpherePositionName(), glue::TorusPositionName(), DiskPositionName })
+  {
+    output->GetPointData()->RemoveArray(name);
+  }
+  for (const char* name :
+    { "SphereMapTier", "TorusModulus", "MeanQuasiConformalError", "QuasiConformalError95" })
+  {
+    output->GetFieldData()->RemoveArray(name);
+  }
+}
+
 // Map a sheet, and describe the map like that of a closed surface.
-conformal::GlobalConformalMapResult MapSheet(const conformal::Mesh& sheet,
+conformal::GlobalConformalMapResult MapSheet(vtkObject* self, const conformal::Mesh& sheet,
   const conformal::GlobalConformalMapOptions& options, const conformal::Run& run)
 {
   RequireRobust(options, "a surface with a border",
     "; for a map to the whole sphere, close it by vtkGenusZeroRepair or vtkConformalSOM");
   conformal::SheetMapResult map = conformal::mapSheet(sheet, run);
+  if (map.NumberOfEars > 0)
+  {
+    vtkWarningWithObjectMacro(self, << map.NumberOfEars << " triangles have all three corners on "
+                                    << "the border (ears), and thus no area on the sphere; remove "
+                                    << "them, or flip or split their inner edges");
+  }
   conformal::GlobalConformalMapResult result;
   result.Positions = std::move(map.Positions);
   result.Tier = map.Repaired ? conformal::GlobalConformalTier::Repaired
@@ -74,8 +97,8 @@ void AddTorusMap(
   vtkGlobalConformalMap* self, const conformal::ConformalTorusMapResult& map, vtkPolyData* output)
 {
   using glue::AddNumber;
+  RemoveOldResults(output);
   glue::AddPlanePositions(output->GetPointData(), glue::TorusPositionName(), map.Positions);
-  output->GetPointData()->RemoveArray(glue::SpherePositionName());
   vtkFieldData* data = output->GetFieldData();
   const double modulus[] = { map.Torus.Modulus.real(), map.Torus.Modulus.imag() };
   glue::AddTuple(data, "TorusModulus", modulus, 2);
@@ -124,7 +147,8 @@ void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResu
   {
     vtkWarningWithObjectMacro(
       self, << map.NumberOfInfiniteStringConstants << " edges belong to triangles without area; "
-            << (published ? "their string constants are infinite and are left out"
+            << (published ? "their string constants are infinite and are left out, "
+                            "so that Converged is 0"
                           : "they are mapped as if they had a small area"));
   }
   if (map.NumberOfFlippedTriangles > 0)
@@ -133,7 +157,7 @@ void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResu
                                     << map.NumberOfNegativeStringConstants
                                     << " string constants are negative");
   }
-  else if (!map.Converged)
+  else if (!map.Converged && map.NumberOfInfiniteStringConstants == 0)
   {
     vtkWarningWithObjectMacro(
       self, << "the map has not converged in " << map.NumberOfIterations << " iterations");
@@ -144,12 +168,12 @@ void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResu
 void AddSphereMap(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResult& map,
   int numberOfBorders, vtkPolyData* output)
 {
+  RemoveOldResults(output);
   glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map.Positions);
-  output->GetPointData()->RemoveArray(glue::TorusPositionName());
   if (numberOfBorders > 0)
   {
     glue::AddPlanePositions(
-      output->GetPointData(), "DiskPosition", conformal::diskPositions(map.Positions));
+      output->GetPointData(), DiskPositionName, conformal::diskPositions(map.Positions));
   }
   if (numberOfBorders > 1)
   {
@@ -195,7 +219,7 @@ int vtkGlobalConformalMap::RequestData(
         return;
       }
       const conformal::GlobalConformalMapResult map = mesh.NumberOfBorders > 0
-        ? MapSheet(outward, options, steps.next())
+        ? MapSheet(this, outward, options, steps.next())
         : conformal::globalConformalMap(outward, options, steps.next());
       steps.next();
       glue::PassClosedMesh(surface, mesh, frame, output);

@@ -27,7 +27,11 @@
  * is computed. "DiskPosition" is the stereographic projection of this hemisphere. The direction x
  * in the disk is the direction x of the sheet, seen from its front. Sheets are mapped only by
  * Method ROBUST with AreaBalance 0. Filters for closed surfaces, such as vtkSphericalRegistration,
- * reject sheets.
+ * reject sheets. Sheets that are longer than about nine times their width can have flipped
+ * triangles, with a warning, and much longer sheets cause an error: toward their ends, triangles
+ * of the map become too small for double precision. A triangle whose three corners are on the
+ * longest border, such as an ear (a triangle with two edges of the border), has no area on the
+ * sphere. There is a warning. Remove ears, or flip or split their inner edges.
  *
  * A flat torus is a parallelogram whose opposite sides are identified. Its sides are the periods.
  * The conformal map of a surface of genus 1 is linear in two harmonic one-forms (X. Gu, S.-T. Yau,
@@ -50,8 +54,10 @@
  * of a weight times the squared length of the edge on the sphere. The weight, called the string
  * constant, is half the sum of the cotangents of the two angles opposite to the edge. Field data
  * (one value each):
- * - "Energy" (double): harmonic energy of the map; 4 pi for a conformal map (2 pi for that of a
- *   sheet, 1 for that to a torus of area 1), larger for any other map.
+ * - "Energy" (double): harmonic energy of the map. The energy of a conformal map tends to 4 pi for
+ *   fine meshes (2 pi for that of a sheet, 1 for that to a torus of area 1), and that of other maps
+ *   to larger values. Flat triangles are smaller than those on the sphere, so that the energy of a
+ *   map of a coarse mesh is below 4 pi.
  * - "NumberOfIterations" (vtkIdType): number of steps if Method is GUYAU, or number of linear
  *   solves if Method is ROBUST.
  * - "Converged" (vtkIdType): 1 if no triangle is flipped. If Method is GUYAU, two more conditions
@@ -72,7 +78,7 @@
  * parameterization of X. Gu, S.-T. Yau. Method GUYAU is the parameterization of Gu and Yau. As
  * shown in the paper, its maps can have folds. Obtuse triangles can cause negative string
  * constants, and thus folds. Triangles without area cause infinite string constants, which GUYAU
- * ignores. Method ROBUST maps every surface one to one.
+ * ignores. Method ROBUST maps every closed surface without handles one to one.
  *
  * A conformal map is unique up to a Moebius transform, a conformal map of the sphere to itself.
  * ROBUST chooses the transform so that the mean of the sphere positions, weighted by area on the
@@ -110,9 +116,9 @@ public:
 
   ///@{
   /**
-   * Algorithm that computes the map. ROBUST (default): an algorithm without folds for every
-   * surface. GUYAU: the algorithm published by Gu and Yau. Near obtuse triangles, this algorithm
-   * can fold triangles.
+   * Algorithm that computes the map. ROBUST (default): an algorithm without folds for every closed
+   * surface without handles. GUYAU: the algorithm published by Gu and Yau. Near obtuse triangles,
+   * this algorithm can fold triangles.
    */
   vtkSetClampMacro(Method, int, ROBUST, GUYAU);
   vtkGetMacro(Method, int);

@@ -31,6 +31,20 @@ struct Pairs
   Eigen::VectorXd Weights;
 };
 
+// Return the map of a surface to the whole sphere. The map of a sheet is a hemisphere, and its
+// border would not remain on the equator.
+conformal::Points WholeMapOf(vtkPolyData* surface, const std::string& name)
+{
+  conformal::Points map = glue::ToSpherePositions(surface);
+  if (map.col(2).minCoeff() >= 0.0)
+  {
+    throw std::invalid_argument("the map of the " + name +
+      " covers only the hemisphere z >= 0, as that of a sheet (a surface with a border); only maps "
+      "to the whole sphere can be aligned");
+  }
+  return map;
+}
+
 Pairs PairsOfLandmarks(const std::vector<std::pair<vtkIdType, vtkIdType>>& landmarks,
   const conformal::Points& map, const conformal::Points& reference)
 {
@@ -62,7 +76,7 @@ Pairs PairsOfSurfaces(vtkPolyData* surface, const conformal::Points& map, vtkPol
   conformal::MappedMesh other;
   other.Positions = glue::ToPoints(reference->GetPoints(), frame);
   other.Triangles = glue::ToTriangles(reference);
-  other.SpherePositions = glue::ToSpherePositions(reference);
+  other.SpherePositions = WholeMapOf(reference, "reference");
   steps.next();
   const conformal::Points points = glue::ToPoints(surface->GetPoints(), frame);
   const conformal::Triangles triangles = glue::ToTriangles(surface);
@@ -145,10 +159,10 @@ int vtkSphericalAlignment::RequestData(
       // Relative costs of reading the map, pairs, transform, new map and output.
       conformal::Steps steps(glue::RunOf(this), { 0.01, 0.55, 0.4, 0.01, 0.03 });
       steps.next();
-      conformal::Points map = glue::ToSpherePositions(surface);
+      conformal::Points map = WholeMapOf(surface, "surface");
       const conformal::Run pairing = steps.next();
       const Pairs pairs = hasLandmarks
-        ? PairsOfLandmarks(landmarks, map, glue::ToSpherePositions(reference))
+        ? PairsOfLandmarks(landmarks, map, WholeMapOf(reference, "reference"))
         : PairsOfSurfaces(surface, map, reference, pairing);
       const conformal::SphericalAlignmentResult result =
         conformal::alignSpheres(pairs.From, pairs.To, pairs.Weights, kind, steps.next());

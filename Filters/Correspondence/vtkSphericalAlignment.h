@@ -33,7 +33,8 @@
  * any three positions. Two maps of one surface can therefore differ by a Moebius transform. This
  * holds for the maps in sections 2 and 4.1 of C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal
  * self-organizing map on curved seamless surface", Neurocomputing 71 (2008). To compare two maps,
- * align them first.
+ * align them first. Sheets (surfaces with a border) are rejected: their maps are hemispheres, whose
+ * border would not remain on the equator.
  *
  * @sa
  * vtkGlobalConformalMap vtkConformalSOM

@@ -165,10 +165,10 @@ conformal::Points DirectionsOf(vtkPolyData* places)
 void WarnOfFolds(vtkObject* self, const conformal::MappedMesh& body)
 {
   const conformal::SphereCoverage coverage = CoverageOf(body);
-  if (coverage.NumberOfFolds > 0 || coverage.Degree > 1)
+  if (coverage.NumberOfFolds > 0 || coverage.Times > 1.5)
   {
     vtkWarningWithObjectMacro(
-      self, << "the map to the sphere covers it " << coverage.Degree << " times with "
+      self, << "the map to the sphere covers it " << std::lround(coverage.Times) << " times with "
             << coverage.NumberOfFolds
             << " folded triangles: some longitudes and latitudes belong to several points");
   }

@@ -386,7 +386,7 @@ TEST_F(GlobalConformalMap, SheetsAreMappedToTheDisk)
     used->Update();
     this->Seen.Clear();
     vtkPolyData* output = this->Run(used->GetOutput());
-    this->Seen.ExpectWarning(hasHole ? "2 borders" : "");
+    this->Seen.ExpectWarning(hasHole ? "2 borders" : "all three corners on the border (ears)");
     vtkPointData* data = output->GetPointData();
     vtkDataArray *sphere = data->GetArray("SpherePosition"), *disk = data->GetArray("DiskPosition");
     ASSERT_TRUE(sphere && disk);
@@ -439,6 +439,44 @@ TEST_F(GlobalConformalMap, MapsASurfaceOfGenusOneToAFlatTorus)
   EXPECT_NEAR(
     this->Filter->GetOutput()->GetFieldData()->GetArray("TorusModulus")->GetComponent(0, 1),
     std::sqrt(1.0 - 0.36) / 0.6, 3e-3);
+}
+
+// Arrays of an earlier map, which the new map does not replace.
+TEST_F(GlobalConformalMap, RemovesArraysOfAnEarlierMap)
+{
+  const auto sphere = Pebble();
+  const auto torus = fixtures::Torus(0.6, 20, 12);
+  for (vtkPolyData* surface : { sphere.Get(), torus.Get() })
+  {
+    for (const char* name : { "DiskPosition", "TorusPosition", "SpherePosition" })
+    {
+      vtkNew<vtkDoubleArray> old;
+      old->SetName(name);
+      old->SetNumberOfComponents(2);
+      old->SetNumberOfTuples(surface->GetNumberOfPoints());
+      old->Fill(0.5);
+      surface->GetPointData()->AddArray(old);
+    }
+    for (const char* name : { "SphereMapTier", "TorusModulus", "QuasiConformalError95" })
+    {
+      vtkNew<vtkDoubleArray> old;
+      old->SetName(name);
+      old->InsertNextValue(7.0);
+      surface->GetFieldData()->AddArray(old);
+    }
+    const bool isTorus = surface == torus.Get();
+    vtkPolyData* output = this->Run(surface);
+    vtkPointData* points = output->GetPointData();
+    vtkFieldData* data = output->GetFieldData();
+    EXPECT_FALSE(points->HasArray("DiskPosition"));
+    EXPECT_EQ(points->HasArray("SpherePosition") != 0, !isTorus);
+    EXPECT_EQ(points->HasArray("TorusPosition") != 0, isTorus);
+    EXPECT_EQ(data->HasArray("SphereMapTier") != 0, !isTorus);
+    EXPECT_EQ(data->HasArray("TorusModulus") != 0, isTorus);
+    EXPECT_EQ(data->HasArray("QuasiConformalError95") != 0, isTorus);
+    EXPECT_TRUE(surface->GetPointData()->HasArray("DiskPosition"));
+    EXPECT_TRUE(surface->GetFieldData()->HasArray("SphereMapTier"));
+  }
 }
 
 TEST_F(GlobalConformalMap, MapsGenusOneOnlyRobustly)
@@ -609,7 +647,9 @@ TEST_F(GlobalConformalMap, TrianglesWithoutAreaAreMappedWithAWarning)
   this->Seen.Clear();
   vtkPolyData* output = this->Run(surface);
   EXPECT_FALSE(this->Seen.Error());
+  // Further iterations would not help.
   EXPECT_NE(this->Seen.WarningMessage().find("infinite and are left out"), std::string::npos);
+  EXPECT_EQ(this->Seen.WarningMessage().find("not converged"), std::string::npos);
   EXPECT_EQ(this->Figure("Converged"), 0);
   EXPECT_EQ(this->Figure("NumberOfInfiniteStringConstants"), 5);
   contract::ExpectSpherePosition(output);

@@ -259,6 +259,23 @@ TEST_F(SphericalAlignment, SurfacesWithoutAMapAreRefused)
   this->ExpectRefused("zero or not finite");
 }
 
+// The map of a sheet is the hemisphere z >= 0.
+TEST_F(SphericalAlignment, SheetsAreRefused)
+{
+  vtkNew<vtkPolyData> sheet;
+  sheet->DeepCopy(this->Surface);
+  vtkDataArray* map = sheet->GetPointData()->GetArray("SpherePosition");
+  for (vtkIdType i = 0; i < map->GetNumberOfTuples(); ++i)
+  {
+    map->SetComponent(i, 2, std::abs(map->GetComponent(i, 2)));
+  }
+  this->Filter->SetInputData(sheet);
+  this->ExpectRefused("the map of the surface covers only the hemisphere");
+  this->Filter->SetInputData(this->Surface);
+  this->Filter->SetReferenceData(sheet);
+  this->ExpectRefused("the map of the reference covers only the hemisphere");
+}
+
 TEST_F(SphericalAlignment, LandmarksThatAreNotThereAreRefused)
 {
   this->Filter->AddLandmark(0, 0);

@@ -103,29 +103,28 @@ public:
           std::sqrt(static_cast<double>(this->Used) / static_cast<double>(this->Target));
       }
       this->Length = this->Factor * this->targetLength();
-      this->splitLong();
-      part.report(0.3);
-      this->collapseShort();
-      part.report(0.5);
-      for (const double done : { 0.75, 1.0 })
+      this->splitLong(part.part(0.0, 0.3));
+      this->collapseShort(part.part(0.3, 0.5));
+      for (const double done : { 0.5, 0.75 })
       {
-        this->flipAll();
-        this->smooth(run.unwatched());
-        part.report(done);
+        this->flipAll(part.part(done, done + 0.1));
+        this->smooth(part.part(done + 0.1, done + 0.25));
       }
     }
-    steps.next();
-    this->adjustNumber();
-    this->flipAll();
-    this->smooth(run.unwatched());
-    this->flipAll();
-    steps.next();
-    Mesh result = this->refineCrossings(run.unwatched());
+    const Run last = steps.next();
+    this->adjustNumber(last.part(0.0, 0.7));
+    this->flipAll(last.part(0.7, 0.8));
+    this->smooth(last.part(0.8, 0.9));
+    this->flipAll(last.part(0.9, 1.0));
+    Mesh result = this->refineCrossings(steps.next());
     run.report(1.0);
     return result;
   }
 
 private:
+  // Estimate the progress after a number of passes, most of which are not necessary.
+  static double doneAfter(int passes) { return 1.0 - std::pow(0.5, passes); }
+
   Mesh mesh() const
   {
     std::vector<int> ids(this->Places.size(), -1);
@@ -293,7 +292,7 @@ private:
     return true;
   }
 
-  void splitLong()
+  void splitLong(const Run& run)
   {
     constexpr int maximum = 30;
     for (int pass = 0; pass < maximum && this->Used < 2 * this->Target + 100; ++pass)
@@ -312,6 +311,7 @@ private:
       {
         count += this->split(side.A, side.B) ? 1 : 0;
       }
+      run.report(doneAfter(pass + 1));
       if (count == 0)
       {
         return;
@@ -376,7 +376,7 @@ private:
     return false;
   }
 
-  void collapseShort()
+  void collapseShort(const Run& run)
   {
     constexpr int maximum = 6;
     for (int pass = 0; pass < maximum; ++pass)
@@ -398,6 +398,7 @@ private:
           count += this->collapse(side.A, side.B, LongSide * this->Length) ? 1 : 0;
         }
       }
+      run.report(doneAfter(pass + 1));
       if (count == 0)
       {
         return;
@@ -490,7 +491,7 @@ private:
     return isDelaunay ? Flip::OfFold : Flip::ToDelaunay;
   }
 
-  void flipAll()
+  void flipAll(const Run& run)
   {
     std::vector<std::pair<int, int>> pending;
     for (int a = 0; a < static_cast<int>(this->Places.size()); ++a)
@@ -503,15 +504,21 @@ private:
         }
       }
     }
-    this->flip(std::move(pending));
+    this->flip(std::move(pending), run);
   }
 
   // Flip sides, and sides around flipped ones, until the triangles are Delaunay triangles.
-  void flip(std::vector<std::pair<int, int>> pending)
+  void flip(std::vector<std::pair<int, int>> pending, const Run& run)
   {
-    std::size_t left = 6 * pending.size() + 1000; // ends the loop if flips go round in a circle
-    while (!pending.empty() && left-- > 0)
+    constexpr std::size_t sidesPerReport = 4096;
+    // Ends the loop if flips go round in a circle.
+    const std::size_t maximum = 6 * pending.size() + 1000;
+    for (std::size_t done = 0; !pending.empty() && done < maximum; ++done)
     {
+      if (done % sidesPerReport == 0)
+      {
+        run.report(static_cast<double>(done) / static_cast<double>(maximum));
+      }
       const auto [a, b] = pending.back();
       pending.pop_back();
       if (!this->isSide(a, b))
@@ -549,6 +556,7 @@ private:
           visit(other);
         }
       });
+    Index done = 0;
     for (const std::vector<int>& color : colors)
     {
       forBlocks(run, static_cast<Index>(color.size()), BlockSize,
@@ -559,6 +567,8 @@ private:
             this->smooth(color[i]);
           }
         });
+      done += static_cast<Index>(color.size());
+      run.report(static_cast<double>(done) / static_cast<double>(used.size()));
     }
   }
 
@@ -609,7 +619,7 @@ private:
 
   // Split the longest or collapse the shortest sides until the number of points is close to the
   // target.
-  void adjustNumber()
+  void adjustNumber(const Run& run)
   {
     const auto target = static_cast<double>(this->Target);
     constexpr int maximum = 40;
@@ -644,7 +654,8 @@ private:
         count += done ? 1 : 0;
         missing -= done ? 1 : 0;
       }
-      this->flipAll();
+      this->flipAll(run.unwatched());
+      run.report(doneAfter(pass + 1));
       if (count == 0)
       {
         return;
@@ -662,7 +673,8 @@ private:
     Mesh best;
     for (int pass = 0; pass <= maximum; ++pass)
     {
-      const std::vector<std::array<int, 3>> crossing = this->crossingTriangles(run);
+      const std::vector<std::array<int, 3>> crossing =
+        this->crossingTriangles(run.part(doneAfter(pass), doneAfter(pass + 1)));
       if (crossing.size() >= fewest)
       {
         break;
@@ -704,7 +716,7 @@ private:
       {
         break;
       }
-      this->flip(std::move(touched));
+      this->flip(std::move(touched), run.unwatched());
     }
     return best;
   }
@@ -717,10 +729,11 @@ private:
     {
       const Points shape =
         this->Coords.middleRows(s, 3).leftCols(static_cast<Index>(this->Places.size())).transpose();
-      for (const std::array<int, 2>& pair : selfIntersections(shape, triangles, run))
+      for (const std::array<int, 2>& pair : selfIntersections(shape, triangles, run.unwatched()))
       {
         isCrossing[pair[0]] = isCrossing[pair[1]] = 1;
       }
+      run.report(static_cast<double>(s + 3) / static_cast<double>(this->Dimension));
     }
     std::vector<std::array<int, 3>> crossing;
     for (Index r = 0; r < triangles.rows(); ++r)

@@ -36,6 +36,10 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
       for (Index i = begin; i < end; ++i)
       {
         const SphereLocation location = locator.locate(directions.row(i));
+        if (location.Triangle < 0)
+        {
+          throw std::invalid_argument("the map to the sphere has a hole");
+        }
         const auto ids = triangles.row(location.Triangle);
         resampled.row(i) = location.Barycentric[0] * values.row(ids[0]) +
           location.Barycentric[1] * values.row(ids[1]) +

@@ -20,7 +20,8 @@ namespace conformal
 /// @param[in] triangles        #F by 3 ids
 /// @param[in] directions       #N by 3 unit vectors
 /// @return #N by 3 interpolated values
-/// @throws std::invalid_argument if the map does not cover the sphere exactly once
+/// @throws std::invalid_argument if the map does not cover the sphere exactly once, or a direction
+///   is far from all triangles, in a hole
 /// @throws Aborted
 Points resample(const Points& spherePositions, const Points& values, const Triangles& triangles,
   const Points& directions, const Run& run = {});

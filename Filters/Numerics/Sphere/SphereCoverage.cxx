@@ -50,8 +50,12 @@ SphereCoverage measureSphereCoverage(
     solidAngle += part.SolidAngle;
     coverage.NumberOfFolds += part.NumberOfFolds;
   }
-  const double sphere = 4.0 * Pi;
-  coverage.Degree = static_cast<int>(std::lround(solidAngle / sphere));
+  coverage.Times = solidAngle / (4.0 * Pi);
+  // Small holes of a scan are closed by interpolation. A sheet covers half of the sphere, and half
+  // is rounded up or down by chance.
+  constexpr double smallHoles = 0.01;
+  const double nearest = std::round(coverage.Times);
+  coverage.Degree = std::abs(coverage.Times - nearest) < smallHoles ? static_cast<int>(nearest) : 0;
   return coverage;
 }
 

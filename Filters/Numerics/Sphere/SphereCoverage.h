@@ -16,8 +16,12 @@ struct SphereCoverage
 {
   /// Degree of the map: number of times that the map covers the sphere. The degree is the sum of
   /// the signed solid angles of all triangles, divided by 4 pi. The degree of a one-to-one map is
-  /// 1, or -1 if the map reverses orientation.
+  /// 1, or -1 if the map reverses orientation. If the sum is not a multiple of 4 pi, as for a
+  /// sheet, which covers half of the sphere, the degree is 0. Holes below 1 % of the sphere are
+  /// permitted.
   int Degree = 0;
+  /// Sum of the signed solid angles of all triangles, divided by 4 pi; 0.5 for a sheet
+  double Times = 0.0;
   /// Number of folds: triangles that are clockwise seen from outside. Triangles that could be
   /// clockwise because of rounding errors do not count
   Index NumberOfFolds = 0;
@@ -26,7 +30,7 @@ struct SphereCoverage
 /// Measure degree and number of folds of a triangle mesh on the unit sphere.
 ///
 /// @param[in] positions  #N by 3 unit vectors
-/// @param[in] triangles  #R by 3 ids of a closed surface
+/// @param[in] triangles  #R by 3 ids
 SphereCoverage measureSphereCoverage(
   const Points& positions, const Triangles& triangles, const Run& run = {});
 

@@ -249,7 +249,9 @@ int SphereLocator::search(const Vector3& direction, Vector3& sides) const
     [&](int place)
     {
       const Vector3 itsSides = sidesOf(this->Placed[place], direction);
-      if (itsSides.minCoeff() >= 0.0 &&
+      // All sides are 0 for a triangle without area whose plane contains the direction, even far
+      // from the triangle: an ear of a sheet has its three corners on the equator.
+      if (itsSides.minCoeff() >= 0.0 && itsSides.sum() > 0.0 &&
         (best < 0 || this->Tree.Items[place] < this->Tree.Items[best]))
       {
         best = place;

@@ -43,7 +43,8 @@ struct GlobalConformalMapResult
 {
   Points Positions; ///< #V by 3 unit vectors
   GlobalConformalTier Tier = GlobalConformalTier::Harmonic;
-  double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map, larger for any other
+  /// Harmonic energy; tends to 4 pi for conformal maps of fine meshes, to more for other maps
+  double Energy = 0.0;
   Index NumberOfIterations = 0; ///< for GuYau: number of steps; for Robust: number of linear solves
   /// Whether the map is valid: no triangle is flipped. GuYau has two more conditions: both phases
   /// have reached Tolerance, and no string constant (cotangent weight of an edge) is infinite.

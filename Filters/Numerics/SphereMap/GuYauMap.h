@@ -19,8 +19,9 @@ struct GuYauOptions
 
 struct GuYauResult
 {
-  Points Positions;             ///< #V by 3 unit vectors
-  double Energy = 0.0;          ///< harmonic energy; 4 pi for a conformal map, else larger
+  Points Positions; ///< #V by 3 unit vectors
+  /// Harmonic energy; tends to 4 pi for conformal maps of fine meshes, to more for other maps
+  double Energy = 0.0;
   Index NumberOfIterations = 0; ///< number of steps of both phases
   bool Converged = false;       ///< whether both phases reached the tolerance
   /// Number of edges with a negative string constant (stiffness of a spring, see mapByGuYau()): the

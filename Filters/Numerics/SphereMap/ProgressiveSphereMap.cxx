@@ -32,6 +32,16 @@ constexpr int SweepsForRoom = 20;
 
 // Of SphereMapFinish::Minimum: rounds of steps of descendSphereEnergy(), and of sweeps
 constexpr int Rounds = 4, StepsPerRound = 25, SweepsPerRound = 2, LastSweeps = 15;
+
+// Progress of SphereMapFinish::Minimum: share of the rounds, and share of the sweeps of a round
+constexpr double DescentShare = 0.7, SweepsShare = 0.1;
+constexpr Index MovesPerReport = 1024;
+
+// The cost of a move is proportional to the number of triangles of the vertex. Move a vertex of n
+// triangles, if n is large, only once in n / 10 insertions next to it. Otherwise, a hub of n
+// triangles costs n^2.
+constexpr std::size_t ManyTriangles = 100, InsertionsPerMove = 10;
+
 const char* const NoRoom = "the surface cannot be mapped to the sphere: the triangles of a vertex "
                            "underflow double precision there";
 
@@ -81,6 +91,7 @@ public:
           ? makeProgressiveMesh(triangles, places.rows(), run.part(0.0, 0.2))
           : makeProgressiveMesh({ places, triangles }, options.SurfaceNeedles, run.part(0.0, 0.2)))
     , Positions(places.rows())
+    , Waiting(places.rows(), 0)
     , Triangles(triangles)
     , Descent(run.part(0.2, options.Finish == SphereMapFinish::Minimum ? 0.5 : 1.0))
     , Descending(run.part(0.5, 1.0))
@@ -138,20 +149,33 @@ private:
     bool converged = false;
     for (int round = 0; round < Rounds && !converged; ++round)
     {
+      const double begin = DescentShare * round / Rounds, end = DescentShare * (round + 1) / Rounds;
+      const double sweeps = end - SweepsShare * (end - begin);
       Points positions = this->positions();
       converged = descendSphereEnergy(this->Triangles, this->FinalShapes, positions, options,
-        this->Descending.part(
-          static_cast<double>(round) / Rounds, static_cast<double>(round + 1) / Rounds))
+        this->Descending.part(begin, sweeps))
                     .Converged;
       for (std::size_t v = 0; v < this->Positions.size(); ++v)
       {
         this->Positions[v] = positions.row(static_cast<Index>(v));
       }
-      relaxVertices(this->Positions, this->Active, this->Mesh.Rings, this->FinalShapes,
-        options.Energy, SweepsPerRound);
+      this->sweepAll(SweepsPerRound, options.Energy, this->Descending.part(sweeps, end));
     }
-    relaxVertices(this->Positions, this->Active, this->Mesh.Rings, this->FinalShapes,
-      options.Energy, LastSweeps);
+    this->sweepAll(LastSweeps, options.Energy, this->Descending.part(DescentShare, 1.0));
+  }
+
+  void sweepAll(int times, const SphereEnergy& energy, const Run& run)
+  {
+    const double count = static_cast<double>(times) * static_cast<double>(this->Active.size());
+    Index done = 0;
+    relaxVertices(this->Positions, this->Active, this->Mesh.Rings, this->FinalShapes, energy, times,
+      [&]()
+      {
+        if (++done % MovesPerReport == 0)
+        {
+          run.report(static_cast<double>(done) / count);
+        }
+      });
   }
 
   // Return the estimated number of relaxations of a vertex, without those before insertions.
@@ -207,7 +231,12 @@ private:
     this->relaxOnSurface(split.Vertex);
     for (int id : split.Neighbors)
     {
-      this->relaxOnSurface(id);
+      const std::size_t valence = this->Mesh.Rings[id].size();
+      if (valence <= ManyTriangles || ++this->Waiting[id] >= valence / InsertionsPerMove)
+      {
+        this->Waiting[id] = 0;
+        this->relaxOnSurface(id);
+      }
     }
   }
 
@@ -282,7 +311,7 @@ private:
 
   void countVertex()
   {
-    if (++this->WorkDone % 1024 == 0)
+    if (++this->WorkDone % MovesPerReport == 0)
     {
       this->Descent.report(std::min(1.0, static_cast<double>(this->WorkDone) / this->WorkToDo));
     }
@@ -296,6 +325,7 @@ private:
   ProgressiveMesh Mesh;
   std::vector<int> Active; // inserted vertices, in the sequence of insertion
   std::vector<Vector3> Positions;
+  std::vector<std::size_t> Waiting; // number of insertions next to each vertex since its last move
   std::vector<Corner> Scratch;
   const conformal::Triangles& Triangles;
   const Run Descent;

@@ -57,8 +57,6 @@ struct ProgressiveSphereMapResult
   Index NumberOfFlippedTriangles = 0; ///< number of flipped triangles of the result; always 0
   /// Number of relaxations: insertions before which nearby vertices were moved to make space
   Index NumberOfRelaxations = 0;
-  /// Mean of SphereEnergy, an energy of angles and areas, over the area of the surface; at least 1
-  double Energy = 0.0;
 };
 
 /// Map a closed surface of genus zero one-to-one to the unit sphere, \cite Praun2003. Triangles are
@@ -69,7 +67,9 @@ struct ProgressiveSphereMapResult
 /// the reverse sequence of the collapses. Each vertex is inserted in the kernel of its neighbors'
 /// polygon: positions at which no triangle is flipped. Between and after the insertions, vertices
 /// are moved to reduce SphereEnergy, an energy of angles and areas. Moves that would flip a
-/// triangle are rejected.
+/// triangle are rejected. An insertion moves the new vertex and its neighbors. A neighbor of many
+/// triangles is moved only at some of the insertions, so that the costs of an insertion are
+/// bounded.
 ///
 /// Implementation note: \cite Praun2003 minimizes another energy, called stretch. Here, the energy
 /// of a triangle is its conformal energy (distortion of angles) times a power of S / A. S is the

@@ -63,6 +63,18 @@ Index countFlipped(const Points& spherePositions, const Triangles& triangles)
   }
   return count;
 }
+
+// The border is exactly on the equator.
+Index countEars(const Points& spherePositions, const Triangles& triangles)
+{
+  Index count = 0;
+  for (Index f = 0; f < triangles.rows(); ++f)
+  {
+    count += spherePositions(triangles(f, 0), 2) == 0.0 &&
+      spherePositions(triangles(f, 1), 2) == 0.0 && spherePositions(triangles(f, 2), 2) == 0.0;
+  }
+  return count;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -104,6 +116,7 @@ SheetMapResult mapSheet(const Mesh& sheet, const Run& run)
   result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;
   result.Energy = stringEnergy(strings.Strings, result.Positions);
   result.NumberOfFlippedTriangles = countFlipped(result.Positions, sheet.Triangles);
+  result.NumberOfEars = countEars(result.Positions, sheet.Triangles);
   run.report(1.0);
   return result;
 }

@@ -18,7 +18,8 @@ struct SheetMapResult
 {
   /// #V by 3 unit vectors on the hemisphere z >= 0; z = 0 exactly on the longest border
   Points Positions;
-  double Energy = 0.0;      ///< harmonic energy; 2 pi for a conformal map, larger for any other
+  /// Harmonic energy; tends to 2 pi for conformal maps of fine meshes, to more for other maps
+  double Energy = 0.0;
   Index NumberOfSolves = 0; ///< number of attempts, each with equations
   bool Repaired = false;    ///< whether folds (flipped triangles) were repaired
   /// Number of edges with a negative string constant (cotangent weight)
@@ -27,6 +28,9 @@ struct SheetMapResult
   Index NumberOfInfiniteStringConstants = 0;
   /// Number of triangles of the disk that are flipped or have no area, see diskPositions()
   Index NumberOfFlippedTriangles = 0;
+  /// Number of triangles whose three corners are on the longest border, such as ears: triangles
+  /// with two edges of the border. They have an area in the disk, but none on the sphere
+  Index NumberOfEars = 0;
 };
 
 /// Map a sheet conformally to the hemisphere z >= 0, with the longest border on the equator. Holes

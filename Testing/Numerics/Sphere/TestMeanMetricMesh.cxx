@@ -185,4 +185,16 @@ TEST(MeanMetricMesh, ThreadsChangeNoBitAndARunCanBeStopped)
   with(watch.run());
   EXPECT_GT(watch.calls(), 10);
   EXPECT_EQ(watch.last(), 1.0);
+  // Each pass of the first round is reported, and each surface whose crossing triangles are found.
+  runs::Watch many;
+  conformal::remeshByMeanMetric(
+    std::vector<conformal::LocatedSurface>(4, surface.view()), start, 1200, many.run());
+  const auto countIn = [&](double begin, double end)
+  {
+    const auto& all = many.fractions();
+    return std::count_if(
+      all.begin(), all.end(), [=](double done) { return done > begin && done < end; });
+  };
+  EXPECT_GT(countIn(0.0, 0.08), 2);
+  EXPECT_GE(countIn(0.941, 1.0), 4);
 }

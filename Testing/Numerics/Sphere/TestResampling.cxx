@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 using conformal::Index;
@@ -80,4 +81,25 @@ TEST(Resampling, RefusesMapsThatFoldOrMiss)
   const conformal::Triangles part = sphere.Triangles.topRows(20);
   EXPECT_THROW(
     resample(sphere.Positions, sphere.Positions, part, sphere.Positions), std::invalid_argument);
+}
+
+// The hole covers 0.8 % of the sphere, and is wider than the triangles around it.
+TEST(Resampling, RefusesDirectionsInAHole)
+{
+  const auto sphere = conformal::makeGeodesicSphere(40);
+  const conformal::Vector3 middle(0.0, 0.0, 1.0);
+  conformal::Triangles part = sphere.Triangles;
+  Index count = 0;
+  for (Index f = 0; f < sphere.Triangles.rows(); ++f)
+  {
+    if (sphere.Positions.row(sphere.Triangles(f, 0)).dot(middle) < std::cos(0.17))
+    {
+      part.row(count++) = sphere.Triangles.row(f);
+    }
+  }
+  part.conservativeResize(count, 3);
+  EXPECT_THROW(
+    resample(sphere.Positions, sphere.Positions, part, middle.transpose()), std::invalid_argument);
+  const Points away = -middle.transpose();
+  EXPECT_LT((resample(sphere.Positions, sphere.Positions, part, away) - away).norm(), 1e-2);
 }

@@ -1,6 +1,7 @@
 #include "Sphere/SphereCoverage.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "Sheets.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,25 @@ TEST(SphereCoverage, AMapToOneSideCoversNothing)
   Points bowl = sphere.Positions;
   bowl.col(2) = bowl.col(2).cwiseAbs();
   EXPECT_EQ(measureSphereCoverage(bowl, sphere.Triangles).Degree, 0);
+}
+
+// A sheet covers half of the sphere. Half must not be rounded to 1 by chance.
+TEST(SphereCoverage, ASheetIsNoCover)
+{
+  for (int rings = 1; rings < 20; ++rings)
+  {
+    const Mesh sheet = sheets::cap(rings, 0.5 * conformal::Pi);
+    const auto coverage = measureSphereCoverage(sheet.Positions, sheet.Triangles);
+    EXPECT_EQ(coverage.Degree, 0) << rings;
+    EXPECT_NEAR(coverage.Times, 0.5, 1e-12);
+  }
+}
+
+TEST(SphereCoverage, ASmallHoleChangesNothing)
+{
+  const Mesh sphere = makeGeodesicSphere(6);
+  const Triangles most = sphere.Triangles.bottomRows(sphere.Triangles.rows() - 2);
+  EXPECT_EQ(measureSphereCoverage(sphere.Positions, most).Degree, 1);
 }
 
 TEST(SphereCoverage, TurnsMirroredMapsAndRefusesWhatFolds)

@@ -237,6 +237,33 @@ TEST(SphereLocator, TrianglesWithoutAreaDoNoHarm)
   expectFound(positions, triangles, locator, Vector3(0, 0, 1));
 }
 
+// All corners of an ear are on the border of a sheet, and thus on the equator. Its plane contains
+// all directions of the equator.
+TEST(SphereLocator, EarsOfASheetContainNoOtherPartOfTheBorder)
+{
+  Points positions(7, 3);
+  for (int i = 0; i < 6; ++i)
+  {
+    const double angle = conformal::Pi * i / 3.0;
+    positions.row(i) << std::cos(angle), std::sin(angle), 0.0;
+  }
+  positions.row(6) << 0.0, 0.0, 1.0;
+  Triangles triangles(6, 3);
+  triangles << 0, 1, 2, 6, 0, 2, 6, 2, 3, 6, 3, 4, 6, 4, 5, 6, 5, 0;
+  const SphereLocator locator(positions, triangles);
+  for (const int v : { 0, 2, 3, 4, 5 })
+  {
+    const auto location = locator.locate(positions.row(v));
+    ASSERT_GT(location.Triangle, 0) << v;
+    Vector3 found = Vector3::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      found += location.Barycentric[k] * positions.row(triangles(location.Triangle, k)).transpose();
+    }
+    EXPECT_LT((found.transpose() - positions.row(v)).norm(), 1e-15) << v;
+  }
+}
+
 namespace
 {
 // Two poles, tilted, and a zigzag around the equator. Each pole has a triangle for each corner.

@@ -1,6 +1,7 @@
 #include "SphereMap/BalancedPositions.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "Sheets.h"
 #include "Sphere/SphereOrientation.h"
 
 #include <gtest/gtest.h>
@@ -82,4 +83,16 @@ TEST(BalancedPositions, RejectMapsThatFold)
   MappedMesh mesh = makeLimb();
   mesh.SpherePositions.col(2) = mesh.SpherePositions.col(2).cwiseAbs().eval();
   EXPECT_THROW(balancedPositions(mesh, 0.5), std::invalid_argument);
+}
+
+TEST(BalancedPositions, RejectSheets)
+{
+  for (int rings = 2; rings < 12; ++rings)
+  {
+    const conformal::Mesh sheet = sheets::cap(rings, 0.5 * conformal::Pi);
+    MappedMesh mesh;
+    mesh.Triangles = sheet.Triangles;
+    mesh.SpherePositions = mesh.Positions = sheet.Positions;
+    EXPECT_THROW(balancedPositions(mesh, 0.5), std::invalid_argument) << rings;
+  }
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -150,4 +151,53 @@ TEST(ProgressiveSphereMap, ReportsProgressAndStops)
   mapToSphere(mesh, {}, watch.run());
   EXPECT_GT(watch.calls(), 5);
   EXPECT_THROW(mapToSphere(mesh, {}, runs::stoppingAt(0.5)), conformal::Aborted);
+}
+
+// The sweeps after the descent need a large part of the time.
+TEST(ProgressiveSphereMap, ReportsTheSweepsOfAMinimum)
+{
+  ProgressiveSphereMapOptions options;
+  options.Finish = conformal::SphereMapFinish::Minimum;
+  runs::Watch watch;
+  mapToSphere(limb(2.0), options, watch.run());
+  const auto& fractions = watch.fractions();
+  const auto sweeps = std::count_if(
+    fractions.begin(), fractions.end(), [](double done) { return done > 0.7 && done < 1.0; });
+  EXPECT_GT(sweeps, 5);
+  EXPECT_THROW(mapToSphere(limb(2.0), options, runs::stoppingAt(0.9)), conformal::Aborted);
+}
+
+namespace
+{
+// Two poles, and a triangle from each edge of the equator to each pole.
+conformal::Mesh bipyramid(int corners)
+{
+  conformal::Mesh mesh;
+  mesh.Positions.resize(corners + 2, 3);
+  mesh.Triangles.resize(2 * corners, 3);
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = 2.0 * conformal::Pi * i / corners;
+    const int next = (i + 1) % corners;
+    mesh.Positions.row(i) << std::cos(angle), std::sin(angle), 0.0;
+    mesh.Triangles.row(i) << i, next, corners;
+    mesh.Triangles.row(corners + i) << next, i, corners + 1;
+  }
+  mesh.Positions.row(corners) << 0.0, 0.0, 1.0;
+  mesh.Positions.row(corners + 1) << 0.0, 0.0, -1.0;
+  return mesh;
+}
+
+double secondsToMap(const conformal::Mesh& mesh)
+{
+  const std::clock_t start = std::clock();
+  EXPECT_EQ(mapToSphere(mesh).NumberOfFlippedTriangles, 0);
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+}
+
+// The time would grow with the square if each insertion moved the poles.
+TEST(ProgressiveSphereMap, HubsAreMappedInLinearTime)
+{
+  EXPECT_LT(secondsToMap(bipyramid(6000)), 8.0 * secondsToMap(bipyramid(1500)) + 0.1);
 }

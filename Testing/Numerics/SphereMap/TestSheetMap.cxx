@@ -95,7 +95,10 @@ TEST(SheetMap, MapsSheetsWithChords)
       }
     }
   }
-  expectCircle(square, mapSheet(square));
+  const SheetMapResult map = mapSheet(square);
+  expectCircle(square, map);
+  EXPECT_EQ(map.NumberOfEars, 2); // at two corners
+  EXPECT_EQ(mapSheet(cap(4, 1.0)).NumberOfEars, 0);
 }
 
 // Without holes, the map is the same but for the missing triangles.
