@@ -219,7 +219,7 @@ void ExactDistances::continueWindow(const Window& window)
     const Vector2 begin = child.Begin * along;
     // Paths that cross the line from `end` to the begin of the child.
     if (window.Before + (begin - window.Place).norm() <=
-        this->Distances[end] + (begin - Vector2(plane.Length, 0.0)).norm() + this->Tolerance &&
+        this->Distances[end] + (begin - Vector2(plane.Length, 0.0)).norm() - this->Tolerance &&
       this->isUseful(child, lengthOfLeft, start, apex))
     {
       this->add(child, start);
@@ -235,7 +235,7 @@ void ExactDistances::continueWindow(const Window& window)
     child.Place = Vector2(along.dot(from), cross(along, from));
     const Vector2 finish = plane.Apex + child.End * along;
     if (window.Before + (finish - window.Place).norm() <=
-        this->Distances[start] + finish.norm() + this->Tolerance &&
+        this->Distances[start] + finish.norm() - this->Tolerance &&
       this->isUseful(child, lengthOfRight, apex, end))
     {
       this->add(child, apex);
@@ -250,8 +250,8 @@ bool ExactDistances::isUseful(const Window& window, double length, int start, in
   const double toBegin = (Vector2(window.Begin, 0.0) - window.Place).norm(),
                toEnd = (Vector2(window.End, 0.0) - window.Place).norm();
   return window.Triangle >= 0 && window.End - window.Begin > TinyFraction * length &&
-    window.Before + toEnd <= this->Distances[start] + window.End + this->Tolerance &&
-    window.Before + toBegin <= this->Distances[end] + (length - window.Begin) + this->Tolerance;
+    window.Before + toEnd <= this->Distances[start] + window.End - this->Tolerance &&
+    window.Before + toBegin <= this->Distances[end] + (length - window.Begin) - this->Tolerance;
 }
 
 // Store a window of the edge that starts at a vertex.

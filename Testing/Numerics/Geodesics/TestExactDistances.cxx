@@ -202,6 +202,21 @@ TEST(ExactDistances, OtherPartsAreNotReached)
   EXPECT_THROW(ExactDistances(mesh, { 0 }), std::invalid_argument);
 }
 
+// On a needle, many paths around it have almost the same length.
+TEST(ExactDistances, AreFoundInFewStepsOnANeedle)
+{
+  Mesh mesh = sphere(8);
+  mesh.Positions.leftCols(2) *= 1e-4;
+  int reports = 0; // one for many steps
+  const conformal::Run run({},
+    [&](double)
+    {
+      ++reports;
+      return reports < 10;
+    });
+  EXPECT_NO_THROW(ExactDistances(mesh, { 0 }, run));
+}
+
 TEST(ExactDistances, FlatTrianglesDoNoHarm)
 {
   Mesh mesh = bumpySphere(5);
