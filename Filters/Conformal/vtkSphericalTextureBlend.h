@@ -4,7 +4,7 @@
  *
  * Blend two pictures of an object into one image of the sphere. The image is a texture for the
  * texture coordinates that vtkSphericalTextureMap computes. Set the Projection of that filter to
- * one that covers the whole sphere (any but STEREOGRAPHIC). The middle of the front picture is on
+ * one that covers the whole sphere: LONGITUDE_LATITUDE, OCTAHEDRAL or CUBE_MAP. The middle of the front picture is on
  * the side of the surface that faces the ViewDirection of that filter. The pictures fade into each
  * other in a band around the equator between front and back.
  *
