@@ -92,9 +92,9 @@ public:
    * Method to measure distances and find paths. HEAT has errors of about 1 percent from
    * one source, and more from many: 3 percent from 100 points on a sphere of 10,242 points, and up
    * to 19 percent at some points. Its cost for each set of sources is low, and proportional to the
-   * number of points. If HEAT fails, there is an error, as for corners of 1,000 thin triangles. EXACT has only rounding
-   * errors. Its cost is many times higher, and grows faster than the number of points. Default is
-   * HEAT.
+   * number of points. If HEAT fails, there is an error, as for corners of 1,000 thin triangles.
+   * EXACT has only rounding errors. Its cost is many times higher, and grows faster than the number
+   * of points. Default is HEAT.
    *
    * NumberOfFarthestPoints uses HEAT with both methods.
    */
