@@ -4,9 +4,9 @@
  *
  * Blend two pictures of an object into one image of the sphere. The image is a texture for the
  * texture coordinates that vtkSphericalTextureMap computes. Set the Projection of that filter to
- * one that covers the whole sphere (any but STEREOGRAPHIC). The middle of the front picture is on
- * the side of the surface that faces the ViewDirection of that filter. The pictures fade into each
- * other in a band around the equator between front and back.
+ * one that covers the whole sphere: LONGITUDE_LATITUDE, OCTAHEDRAL or CUBE_MAP. The middle of the
+ * front picture is on the side of the surface that faces the ViewDirection of that filter. The
+ * pictures fade into each other in a band around the equator between front and back.
  *
  * Input port 0: vtkPolyData, an output of vtkSphericalTextureMap with the point array
  * "SpherePosition" (3 components). The field data of that filter define the placement of the image

@@ -86,6 +86,38 @@ vtkSmartPointer<vtkDataArray> ValuesOf(
                               : vtkSmartPointer<vtkDataArray>(glue::ArrayToBake(source, name));
 }
 
+// Bit pattern of a component, so that also integers of 64 bits are kept exactly.
+std::int64_t BitsOf(vtkDataArray* array, vtkIdType tuple, int component)
+{
+  std::int64_t bits = 0;
+  if (array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT)
+  {
+    const vtkIdType value = tuple * array->GetNumberOfComponents() + component;
+    std::memcpy(&bits, array->GetVoidPointer(value), array->GetDataTypeSize());
+  }
+  else
+  {
+    const double value = array->GetComponent(tuple, component);
+    std::memcpy(&bits, &value, sizeof(value));
+  }
+  return bits;
+}
+
+void SetBits(vtkDataArray* array, vtkIdType tuple, int component, std::int64_t bits)
+{
+  if (array->HasStandardMemoryLayout() && array->GetDataType() != VTK_BIT)
+  {
+    const vtkIdType value = tuple * array->GetNumberOfComponents() + component;
+    std::memcpy(array->GetVoidPointer(value), &bits, array->GetDataTypeSize());
+  }
+  else
+  {
+    double value = 0.0;
+    std::memcpy(&value, &bits, sizeof(value));
+    array->SetComponent(tuple, component, value);
+  }
+}
+
 // Combine the pixels of all processes on each process. A pixel was painted only by the process that
 // has the closest point.
 void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conformal::Reduce& reduce)
@@ -103,10 +135,8 @@ void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conforma
       *sum++ = holes->GetValue(i) == 0;
       for (int c = 0; c < components; ++c, ++sum)
       {
-        // The bit pattern of a pixel is added to zeros of the other processes, so that it is kept
-        // exactly.
-        const double value = holes->GetValue(i) ? 0.0 : pixels->GetComponent(i, c);
-        std::memcpy(sum, &value, sizeof(value));
+        // The bit pattern of a pixel is added to zeros of the other processes.
+        *sum = holes->GetValue(i) ? 0 : BitsOf(pixels, i, c);
       }
     }
     reduce.sum(sums.data(), static_cast<conformal::Index>(sums.size()));
@@ -116,9 +146,7 @@ void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conforma
       holes->SetValue(i, *sum++ == 0);
       for (int c = 0; c < components; ++c, ++sum)
       {
-        double value = 0.0;
-        std::memcpy(&value, sum, sizeof(value));
-        pixels->SetComponent(i, c, value);
+        SetBits(pixels, i, c, *sum);
       }
     }
   }

@@ -112,7 +112,8 @@ public:
    * triangles, such as labels, are not mixed. AVERAGE: the mean of the source's values in the part
    * of the surface that the pixel shows, with weights that decrease smoothly from the middle. Where
    * the source has few points, the mean includes points beyond the pixel, so that gaps are filled
-   * smoothly. Use AVERAGE for colors and measurements.
+   * smoothly. Without triangles, the mean is that of at most 64 points, the nearest to the middle.
+   * Use AVERAGE for colors and measurements.
    *
    * With AVERAGE and several processes, the source is copied to all processes.
    */

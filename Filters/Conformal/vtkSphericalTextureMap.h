@@ -5,8 +5,8 @@
  * Compute texture coordinates of a surface from its map to the sphere, and make them active. If a
  * picture is the texture of the surface (in ParaView: Texture in the Display section), the middle
  * of the picture faces the ViewDirection. STEREOGRAPHIC is the projection of section 4.2 of C.-Y.
- * Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). The three other projections show the
- * whole sphere in one image.
+ * Liou, Y.-T. Kuo, J.-C. Huang, Neurocomputing 71 (2008). Three other projections show the
+ * whole sphere in one image, and two show a hemisphere.
  *
  * Input port 0: vtkPolyData, a surface with the point array "SpherePosition" (3 components).
  * Polygons and strips are treated as triangles.

@@ -203,12 +203,19 @@ conformal::PixelSink PixelPainter(
       const vtkIdType pixel = first + static_cast<vtkIdType>(i);
       const bool isHole = place.Ids[0] < 0;
       holes->SetValue(pixel, isHole);
+      conformal::Index largest = 0;
+      if (!isHole && place.Weights.maxCoeff(&largest) == 1.0) // a copy keeps integers of 64 bits
+      {
+        pixels->SetTuple(pixel, place.Ids[largest], values);
+        continue;
+      }
       for (int c = 0; c < values->GetNumberOfComponents(); ++c)
       {
         double sum = 0.0;
         for (int k = 0; k < 3 && !isHole; ++k)
         {
-          sum += place.Weights[k] * values->GetComponent(place.Ids[k], c);
+          const double weight = place.Weights[k]; // 0 for values that can be infinite
+          sum += weight != 0.0 ? weight * values->GetComponent(place.Ids[k], c) : 0.0;
         }
         pixels->SetComponent(pixel, c, isWhole ? std::round(sum) : sum);
       }

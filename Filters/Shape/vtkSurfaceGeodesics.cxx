@@ -1,6 +1,7 @@
 #include "vtkSurfaceGeodesics.h"
 
 #include "Base/AllColumns.h"
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Geodesics/ExactDistances.h"
 #include "Geodesics/GeodesicPath.h"
@@ -212,8 +213,8 @@ void SetSources(vtkPolyData* output, vtkPolyData* surface, const std::vector<int
 
 // Follow ways along edges, and straighten the path. If the ways do not lead to a source, or the
 // vertex is a source, the path is empty.
-std::vector<conformal::PathPoint> StraightPath(
-  const conformal::PathStraightener& surface, int vertex, const std::vector<int>& ways)
+std::vector<conformal::PathPoint> StraightPath(const conformal::PathStraightener& surface,
+  int vertex, const std::vector<int>& ways, const conformal::Run& run)
 {
   std::vector<int> vertices = { vertex };
   while (ways[vertices.back()] >= 0 && ways[vertices.back()] != vertices.back())
@@ -221,7 +222,7 @@ std::vector<conformal::PathPoint> StraightPath(
     vertices.push_back(ways[vertices.back()]);
   }
   return vertices.size() < 2 || ways[vertices.back()] < 0 ? std::vector<conformal::PathPoint>()
-                                                          : surface.straighten(vertices);
+                                                          : surface.straighten(vertices, run);
 }
 
 // Paths from targets to sources, as polylines.
@@ -270,22 +271,24 @@ private:
   vtkNew<vtkIdTypeArray> Targets, Sources;
 };
 
-using FindPath = std::function<std::vector<conformal::PathPoint>(int target)>;
+using FindPath =
+  std::function<std::vector<conformal::PathPoint>(int target, const conformal::Run& run)>;
 
 // Find paths from targets to sources. Empty paths are left out.
 void SetPaths(vtkPolyData* output, const conformal::Mesh& mesh, const std::vector<int>& targets,
   const FindPath& findPath, const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
   PathLines lines(mesh.Positions);
-  for (std::size_t i = 0; i < targets.size(); ++i)
+  conformal::Steps steps(run, std::vector<double>(targets.size(), 1.0));
+  for (const int target : targets)
   {
-    const std::vector<conformal::PathPoint> path = findPath(targets[i]);
+    const std::vector<conformal::PathPoint> path = findPath(target, steps.next());
     if (path.size() > 1)
     {
       lines.Add(path);
     }
-    run.report(static_cast<double>(i + 1) / static_cast<double>(targets.size()));
   }
+  run.report(1.0);
   if (!targets.empty())
   {
     lines.CopyTo(output, frame);
@@ -297,11 +300,12 @@ FindPath LocallyShortest(
   const conformal::Mesh& mesh, const std::vector<int>& sources, const Eigen::VectorXd& distances)
 {
   const auto surface = std::make_shared<conformal::PathStraightener>(mesh);
-  return [&mesh, surface, along = conformal::pathsAlongEdges(mesh, sources).Ways,
-           downhill = conformal::waysDownhill(mesh, distances)](int target)
+  return
+    [&mesh, surface, along = conformal::pathsAlongEdges(mesh, sources).Ways,
+      downhill = conformal::waysDownhill(mesh, distances)](int target, const conformal::Run& run)
   {
-    const auto first = StraightPath(*surface, target, along),
-               second = StraightPath(*surface, target, downhill);
+    const auto first = StraightPath(*surface, target, along, run.part(0.0, 0.5)),
+               second = StraightPath(*surface, target, downhill, run.part(0.5, 1.0));
     const bool isSecond = !second.empty() &&
       (first.empty() || lengthOf(second, mesh.Positions) < lengthOf(first, mesh.Positions));
     return isSecond ? second : first;
@@ -317,8 +321,8 @@ struct Measured
 };
 
 // Measure distances, in three steps. Farthest points are found by the heat method.
-Measured Measure(const conformal::Mesh& mesh, const std::vector<int>& given, int missing,
-  bool isExact, conformal::Steps& steps)
+Measured MeasureWithoutAdvice(const conformal::Mesh& mesh, const std::vector<int>& given,
+  int missing, bool isExact, conformal::Steps& steps)
 {
   Measured result{ given, {}, {} };
   std::optional<conformal::HeatDistances> heat;
@@ -332,7 +336,8 @@ Measured Measure(const conformal::Mesh& mesh, const std::vector<int>& given, int
   {
     const auto exact = std::make_shared<conformal::ExactDistances>(mesh, result.Sources, measuring);
     result.Nearest = exact->nearestSources();
-    result.PathFrom = [exact, positions = result.Nearest.Positions](int target) {
+    result.PathFrom = [exact, positions = result.Nearest.Positions](
+                        int target, const conformal::Run&) {
       return positions[target] >= 0 ? exact->pathFrom(target) : std::vector<conformal::PathPoint>();
     };
   }
@@ -341,6 +346,24 @@ Measured Measure(const conformal::Mesh& mesh, const std::vector<int>& given, int
     result.Nearest = heat->nearestSources(result.Sources);
   }
   return result;
+}
+
+// Measure distances. If the heat method fails, state what to do.
+Measured Measure(const conformal::Mesh& mesh, const std::vector<int>& given, int missing,
+  bool isExact, conformal::Steps& steps)
+{
+  try
+  {
+    return MeasureWithoutAdvice(mesh, given, missing, isExact, steps);
+  }
+  catch (const conformal::NumericalFailure& failure)
+  {
+    const std::string advice = isExact ? "set NumberOfFarthestPoints to 0"
+      : missing > 0                    ? "set NumberOfFarthestPoints to 0, and Method to EXACT"
+                                       : "set Method to EXACT";
+    throw conformal::NumericalFailure(
+      std::string("the heat method failed: ") + failure.what() + "; " + advice);
+  }
 }
 }
 

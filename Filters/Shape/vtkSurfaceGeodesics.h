@@ -17,7 +17,8 @@
  *
  * Other sources are the points where the array SourceArrayName is not 0, and the points of
  * AddSourceId(). NumberOfFarthestPoints adds points that are far from all others, for example for
- * samples that are spread evenly. If there are no sources, there is an error.
+ * samples that are spread evenly. Connected parts without a source are farther than all others. If
+ * there are no sources, there is an error.
  *
  * Output port 0: the input, with point arrays
  * - "GeodesicDistance" (double, 1 component): distance from the nearest source, in units of length;
@@ -88,10 +89,12 @@ public:
 
   ///@{
   /**
-   * Method to measure distances and find paths. HEAT has errors of about 1 percent. Its cost for
-   * each set of sources is low, and proportional to the number of points. EXACT has only rounding
-   * errors. Its cost is many times higher, and grows faster than the number of points. Default is
-   * HEAT.
+   * Method to measure distances and find paths. HEAT has errors of about 1 percent from
+   * one source, and more from many: 3 percent from 100 points on a sphere of 10,242 points, and up
+   * to 19 percent at some points. Its cost for each set of sources is low, and proportional to the
+   * number of points. If HEAT fails, there is an error, as for corners of 1,000 thin triangles.
+   * EXACT has only rounding errors. Its cost is many times higher, and grows faster than the number
+   * of points. Default is HEAT.
    *
    * NumberOfFarthestPoints uses HEAT with both methods.
    */

@@ -4,6 +4,7 @@
 #include "vtkGeodesicSphereSource.h"
 
 #include "vtkCellData.h"
+#include "vtkConeSource.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -170,6 +171,27 @@ TEST(SurfaceGeodesics, MeasuresExactDistances)
   vtkCellData* data = paths->GetCellData();
   EXPECT_NEAR(data->GetArray("PathLength")->GetComponent(0, 0), std::hypot(1.0, 0.3), 1e-7);
   EXPECT_EQ(data->GetArray("TargetId")->GetComponent(0, 0), 12 * 41 + 40);
+}
+
+// A corner of 1,000 thin triangles.
+TEST(SurfaceGeodesics, AdvisesExactDistancesIfTheHeatMethodFails)
+{
+  vtkNew<vtkConeSource> cone;
+  cone->SetResolution(1000);
+  cone->SetHeight(3.0);
+  cone->CappingOff();
+  vtkNew<vtkSurfaceGeodesics> filter;
+  filter->SetInputConnection(cone->GetOutputPort());
+  filter->AddSourceId(0);
+  ExpectError(filter, "set Method to EXACT");
+  filter->SetMethodToExact();
+  filter->SetNumberOfFarthestPoints(1);
+  ExpectError(filter, "set NumberOfFarthestPoints to 0");
+  filter->SetNumberOfFarthestPoints(0);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error());
+  EXPECT_NEAR(DistancesOf(filter)->GetValue(1), std::hypot(3.0, 0.5), 1e-6);
 }
 
 TEST(SurfaceGeodesics, ReportsMissingAndInvalidSources)

@@ -7,12 +7,14 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 using glue::AddSphereImage;
 using glue::ToSphereImage;
@@ -136,4 +138,28 @@ TEST(SphereImages, ImagesHaveCountablePixels)
     const int pixels[2] = { size.first, size.second };
     EXPECT_THROW(glue::SetImageInformation(info, pixels), std::invalid_argument);
   }
+}
+
+// Integers above 2^53 have no double, and infinity times 0 is not a number.
+TEST(SphereImages, PixelsKeepValuesOfSinglePoints)
+{
+  constexpr vtkIdType large = 1LL << 53;
+  vtkNew<vtkIdTypeArray> labels, labelPixels;
+  vtkNew<vtkDoubleArray> heights, heightPixels;
+  for (const vtkIdType label : { 1, 3, 5 })
+  {
+    labels->InsertNextValue(large + label);
+    heights->InsertNextValue(label == 5 ? std::numeric_limits<double>::infinity() : 2.0 * label);
+  }
+  labelPixels->SetNumberOfValues(2);
+  heightPixels->SetNumberOfValues(2);
+  vtkNew<vtkUnsignedCharArray> holes;
+  holes->SetNumberOfValues(2);
+  const std::vector<conformal::SurfacePlace> places = { { { 1, 1, 1 }, { 1.0, 0.0, 0.0 } },
+    { { 0, 1, 2 }, { 0.5, 0.5, 0.0 } } };
+  glue::PixelPainter(labels, labelPixels, holes)(0, places);
+  EXPECT_EQ(labelPixels->GetValue(0), large + 3);
+  glue::PixelPainter(heights, heightPixels, holes)(0, places);
+  EXPECT_EQ(heightPixels->GetValue(0), 6.0);
+  EXPECT_EQ(heightPixels->GetValue(1), 4.0);
 }

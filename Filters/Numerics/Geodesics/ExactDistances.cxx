@@ -218,8 +218,8 @@ void ExactDistances::continueWindow(const Window& window)
     child.Place = Vector2(along.dot(window.Place), cross(along, window.Place));
     const Vector2 begin = child.Begin * along;
     // Paths that cross the line from `end` to the begin of the child.
-    if (window.Before + (begin - window.Place).norm() <=
-        this->Distances[end] + (begin - Vector2(plane.Length, 0.0)).norm() + this->Tolerance &&
+    if (this->isShorter(window.Before + (begin - window.Place).norm(), end,
+          (begin - Vector2(plane.Length, 0.0)).norm()) &&
       this->isUseful(child, lengthOfLeft, start, apex))
     {
       this->add(child, start);
@@ -234,8 +234,7 @@ void ExactDistances::continueWindow(const Window& window)
     child.End = std::min(lengthOfRight, crossingOf(along, from, last));
     child.Place = Vector2(along.dot(from), cross(along, from));
     const Vector2 finish = plane.Apex + child.End * along;
-    if (window.Before + (finish - window.Place).norm() <=
-        this->Distances[start] + finish.norm() + this->Tolerance &&
+    if (this->isShorter(window.Before + (finish - window.Place).norm(), start, finish.norm()) &&
       this->isUseful(child, lengthOfRight, apex, end))
     {
       this->add(child, apex);
@@ -243,15 +242,28 @@ void ExactDistances::continueWindow(const Window& window)
   }
 }
 
+// Return whether a path is shorter than one over a vertex, whose rest has a given length. If both
+// are equally long, paths continue from the vertex, since no window contains them.
+bool ExactDistances::isShorter(double length, int vertex, double rest)
+{
+  const double difference = length - this->Distances[vertex] - rest;
+  if (std::abs(difference) <= this->Tolerance && !this->Bends[vertex])
+  {
+    this->Bends[vertex] = 1;
+    this->push({ this->Distances[vertex], vertex, -1 });
+  }
+  return difference < -this->Tolerance;
+}
+
 // Return whether paths through a window can be shortest: those over the start of the edge to the
-// end of the window, or over the end of the edge to its begin, are not shorter.
-bool ExactDistances::isUseful(const Window& window, double length, int start, int end) const
+// end of the window, or over the end of the edge to its begin, are longer.
+bool ExactDistances::isUseful(const Window& window, double length, int start, int end)
 {
   const double toBegin = (Vector2(window.Begin, 0.0) - window.Place).norm(),
                toEnd = (Vector2(window.End, 0.0) - window.Place).norm();
   return window.Triangle >= 0 && window.End - window.Begin > TinyFraction * length &&
-    window.Before + toEnd <= this->Distances[start] + window.End + this->Tolerance &&
-    window.Before + toBegin <= this->Distances[end] + (length - window.Begin) + this->Tolerance;
+    this->isShorter(window.Before + toEnd, start, window.End) &&
+    this->isShorter(window.Before + toBegin, end, length - window.Begin);
 }
 
 // Store a window of the edge that starts at a vertex.

@@ -22,8 +22,9 @@ namespace conformal
 /// have a sum greater than 2 pi) and at borders, where new windows start.
 ///
 /// Implementation note: distances are bounded by paths along edges from the beginning, which
-/// removes more windows. Windows are not removed where lengths differ by less than 1e-12 of the
-/// largest distance.
+/// removes more windows. If the paths of a window and those over a vertex have equal lengths,
+/// except for 1e-12 of the largest distance, the window is removed, and new windows start at the
+/// vertex. Otherwise, such windows would multiply on thin surfaces.
 ///
 /// The cost grows with about the power 1.5 of the number of vertices, see the guide.
 class ExactDistances
@@ -92,7 +93,8 @@ private:
   void startWindows(int vertex);
   void continueWindow(const Window& window);
   void add(Window window, int start);
-  bool isUseful(const Window& window, double length, int start, int end) const;
+  bool isShorter(double length, int vertex, double rest);
+  bool isUseful(const Window& window, double length, int start, int end);
   void reach(int vertex, double distance, const Arrival& arrival);
   void push(const Event& event);
   void followStraight(int vertex, std::vector<PathPoint>& path) const;

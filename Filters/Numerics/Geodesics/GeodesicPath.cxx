@@ -131,7 +131,8 @@ PathStraightener::PathStraightener(const Mesh& mesh)
   }
 }
 
-std::vector<PathPoint> PathStraightener::straighten(const std::vector<int>& vertices) const
+std::vector<PathPoint> PathStraightener::straighten(
+  const std::vector<int>& vertices, const Run& run) const
 {
   std::vector<PathPoint> result;
   const auto addVertex = [&](int v) { result.push_back({ v, v, 0.0 }); };
@@ -143,11 +144,13 @@ std::vector<PathPoint> PathStraightener::straighten(const std::vector<int>& vert
   }
   Unfolded unfolded = this->unfold(sleeve, vertices.front(), vertices.back());
   std::vector<Touched> touched = shortestPath(unfolded);
-  const std::size_t maximum = 100 * (sleeve.size() + 10); // ends loops caused by rounding errors
+  const std::size_t usual = sleeve.size() + 10,
+                    maximum = 100 * usual; // ends loops caused by rounding errors
   for (std::size_t i = 0; i < maximum && this->bypass(sleeve, unfolded, touched); ++i)
   {
     unfolded = this->unfold(sleeve, vertices.front(), vertices.back());
     touched = shortestPath(unfolded);
+    run.report(static_cast<double>(i) / static_cast<double>(i + usual));
   }
   // Cut the portals between touched vertices.
   addVertex(vertices.front());

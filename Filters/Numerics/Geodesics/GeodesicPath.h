@@ -4,6 +4,7 @@
 #ifndef ConformalGeodesicPath_h
 #define ConformalGeodesicPath_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/MeshTopology.h"
@@ -59,7 +60,8 @@ public:
   /// @return points of the path, from the first vertex to the last one. If triangles around a
   /// vertex
   ///   of the path are not connected by edges, return the path along edges.
-  std::vector<PathPoint> straighten(const std::vector<int>& vertices) const;
+  /// @throws Aborted
+  std::vector<PathPoint> straighten(const std::vector<int>& vertices, const Run& run = {}) const;
 
 private:
   struct Unfolded;

@@ -1,8 +1,9 @@
 #include "Geodesics/HeatDistances.h"
 
-#include "Base/DisjointSets.h"
+#include "Base/NumericalFailure.h"
 #include "Base/Steps.h"
 #include "Linear/ShiftedSystem.h"
+#include "Mesh/MeshTopology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,15 +53,16 @@ Equations assemble(const IntrinsicTriangulation& surface, Index numberOfVertices
   return result;
 }
 
-// Return factor * Laplacian + diagonal.
-SparseMatrix matrixOf(const Equations& equations, double factor, const Eigen::VectorXd& diagonal)
+// Return the Laplacian with a factor for each row, plus a diagonal.
+SparseMatrix matrixOf(
+  const Equations& equations, const Eigen::VectorXd& factors, const Eigen::VectorXd& diagonal)
 {
   const Index size = diagonal.size();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(equations.Laplacian.size() + size);
   for (const Eigen::Triplet<double>& entry : equations.Laplacian)
   {
-    entries.emplace_back(entry.row(), entry.col(), factor * entry.value());
+    entries.emplace_back(entry.row(), entry.col(), factors[entry.row()] * entry.value());
   }
   for (Index v = 0; v < size; ++v)
   {
@@ -69,22 +71,6 @@ SparseMatrix matrixOf(const Equations& equations, double factor, const Eigen::Ve
   SparseMatrix matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
-}
-
-std::vector<int> partsOf(const Triangles& triangles, Index numberOfVertices)
-{
-  DisjointSets sets(numberOfVertices);
-  for (Index t = 0; t < triangles.rows(); ++t)
-  {
-    sets.unite(triangles(t, 0), triangles(t, 1));
-    sets.unite(triangles(t, 0), triangles(t, 2));
-  }
-  std::vector<int> parts(numberOfVertices);
-  for (Index v = 0; v < numberOfVertices; ++v)
-  {
-    parts[v] = sets.find(static_cast<int>(v));
-  }
-  return parts;
 }
 
 // Divide each triangle into four at the midpoints of its edges. The old vertices come first.
@@ -156,22 +142,46 @@ int farthestFrom(
   return farthest;
 }
 
-// Estimate the largest distance between two vertices of a part, by the length of a path.
-double spanOf(const Mesh& mesh, const std::vector<int>& parts)
+// Estimate the largest distance between two vertices of each part, by the length of a path. The
+// estimate belongs to the first vertex of the part.
+std::vector<double> spansOf(const Mesh& mesh, const std::vector<int>& parts)
 {
   const Index size = mesh.Positions.rows();
   const Adjacency neighbors = vertexNeighbors(mesh.Triangles, size);
-  std::vector<double> fromFirst(size, -1.0), fromFar(size, -1.0);
-  double span = 0.0;
+  std::vector<double> fromFirst(size, -1.0), fromFar(size, -1.0), spans(size, 0.0);
   for (int v = 0; v < static_cast<int>(size); ++v)
   {
-    if (parts[v] == v) // the first vertex of a part
+    if (parts[v] == v)
     {
       const int far = farthestFrom(mesh, neighbors, v, fromFirst);
-      span = std::max(span, fromFar[farthestFrom(mesh, neighbors, far, fromFar)]);
+      spans[v] = fromFar[farthestFrom(mesh, neighbors, far, fromFar)];
     }
   }
-  return span;
+  return spans;
+}
+
+// Sums over each connected part. Sums belong to the first vertex of the part.
+struct PartSums
+{
+  Eigen::VectorXd Areas, Lengths, Sides; // area, length and number of the sides of triangles
+};
+
+PartSums sumsOf(const IntrinsicTriangulation& surface, const Eigen::VectorXd& masses)
+{
+  const Index size = masses.size();
+  PartSums result{ Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size),
+    Eigen::VectorXd::Zero(size) };
+  for (Index v = 0; v < size; ++v)
+  {
+    result.Areas[surface.Parts[v]] += masses[v];
+  }
+  for (Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    const int part = surface.Parts[surface.Triangles(t, 0)];
+    result.Lengths[part] += surface.Lengths.row(t).sum();
+    result.Sides[part] += 3.0;
+  }
+  return result;
 }
 }
 
@@ -180,25 +190,41 @@ HeatDistances::HeatDistances(const Mesh& mesh, const Run& run)
 {
   Steps steps(run, { 0.2, 0.4, 0.4 });
   Mesh fine = mesh;
-  while (fine.Positions.rows() < FewVertices && fine.Triangles.rows() > 0)
+  while (fine.Positions.rows() < FewVertices && fine.Triangles.rows() > 0 &&
+    fine.Triangles.rows() < 4 * FewVertices)
   {
     fine = quartered(fine);
   }
-  const Index size = fine.Positions.rows();
   this->NumberOfVertices = mesh.Positions.rows();
   this->Surface = intrinsicDelaunay(fine, steps.next());
-  this->Parts = partsOf(fine.Triangles, size);
+  const std::vector<int>& parts = this->Surface.Parts;
+  const auto size = static_cast<Index>(parts.size());
   const Equations equations = assemble(this->Surface, size);
-  const double area = equations.Masses.sum();
-  // Vertices without area have equations of their own.
-  const double smallest = area > 0.0 ? 1e-7 * area / static_cast<double>(size) : 1.0;
-  const Eigen::VectorXd masses = equations.Masses.cwiseMax(smallest);
-  const double edge = this->Surface.Lengths.size() > 0 ? this->Surface.Lengths.mean() : 1.0,
-               root = std::max(edge, FinestTime * spanOf(fine, this->Parts));
-  this->Factors.push_back(
-    factorize(matrixOf(equations, root * root, masses), fine.Positions, 1, steps.next()));
-  this->Factors.push_back(factorize(
-    matrixOf(equations, 1.0, Shift / masses.sum() * masses), fine.Positions, 1, steps.next()));
+  const PartSums sums = sumsOf(this->Surface, equations.Masses);
+  const std::vector<double> spans = spansOf(fine, parts);
+  // Parts can differ much in size. Each one has its own time of the heat flow.
+  Eigen::VectorXd masses(size), shifts(size), times(size);
+  for (Index v = 0; v < size; ++v)
+  {
+    const int part = parts[v];
+    const double area = sums.Areas[part];
+    if (area > 0.0)
+    {
+      const double edge = sums.Lengths[part] / sums.Sides[part];
+      masses[v] = std::max(equations.Masses[v], 1e-7 * area / static_cast<double>(size));
+      shifts[v] = Shift * masses[v] / area;
+      times[v] = std::pow(std::max(edge, FinestTime * spans[part]), 2);
+    }
+    else // the vertex has an equation of its own
+    {
+      masses[v] = shifts[v] = 1.0;
+      times[v] = 0.0;
+    }
+  }
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(size);
+  const Points& places = this->Surface.Positions;
+  this->Factors.push_back(factorize(matrixOf(equations, times, masses), places, 1, steps.next()));
+  this->Factors.push_back(factorize(matrixOf(equations, ones, shifts), places, 1, steps.next()));
 }
 
 Eigen::VectorXd HeatDistances::from(const std::vector<int>& sources) const
@@ -208,29 +234,37 @@ Eigen::VectorXd HeatDistances::from(const std::vector<int>& sources) const
 
 Eigen::VectorXd HeatDistances::fineDistances(const std::vector<int>& sources) const
 {
-  const auto size = static_cast<Index>(this->Parts.size());
+  const auto size = static_cast<Index>(this->Surface.Parts.size());
   Columns heat = Columns::Zero(size, 1);
   std::vector<char> isReached(size, 0);
   for (const int source : sources)
   {
     heat(source, 0) = 1.0;
-    isReached[this->Parts[source]] = 1;
+    isReached[this->Surface.Parts[source]] = 1;
   }
   this->Factors[0].solve(heat);
+  for (Index v = 0; v < size; ++v)
+  {
+    if (isReached[this->Surface.Parts[v]] && !(heat(v, 0) > 0.0))
+    {
+      throw NumericalFailure("the heat does not reach all points that are connected with a source");
+    }
+  }
   Columns potential = this->divergence(heat.col(0));
   this->Factors[1].solve(potential);
   // In each part, the smallest distance of a source is 0.
   std::vector<double> lowest(size, std::numeric_limits<double>::infinity());
   for (const int source : sources)
   {
-    double& low = lowest[this->Parts[source]];
+    double& low = lowest[this->Surface.Parts[source]];
     low = std::min(low, potential(source, 0));
   }
   Eigen::VectorXd distances(size);
   for (Index v = 0; v < size; ++v)
   {
-    distances[v] =
-      isReached[this->Parts[v]] ? std::max(0.0, potential(v, 0) - lowest[this->Parts[v]]) : -1.0;
+    distances[v] = isReached[this->Surface.Parts[v]]
+      ? std::max(0.0, potential(v, 0) - lowest[this->Surface.Parts[v]])
+      : -1.0;
   }
   for (const int source : sources)
   {
@@ -321,15 +355,60 @@ NearestSources HeatDistances::nearestSources(const std::vector<int>& sources) co
       nearest[v] = nearest[previous[v]];
     }
   }
+  this->spread(distances, nearest);
   nearest.resize(this->NumberOfVertices);
   return { distances.head(this->NumberOfVertices), nearest };
+}
+
+// Assign sources to the remaining vertices, such as those where errors make the distance smaller
+// than at all neighbors: the source of a neighbor.
+void HeatDistances::spread(const Eigen::VectorXd& distances, std::vector<int>& nearest) const
+{
+  std::vector<double> least(nearest.size(), std::numeric_limits<double>::infinity());
+  for (bool isChanged = true; isChanged;)
+  {
+    isChanged = false;
+    std::vector<int> found = nearest;
+    for (Index t = 0; t < this->Surface.Triangles.rows(); ++t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int a = this->Surface.Triangles(t, k), b = this->Surface.Triangles(t, (k + 1) % 3);
+        for (const auto& [from, to] : { std::pair(a, b), std::pair(b, a) })
+        {
+          const double length = distances[from] + this->Surface.Lengths(t, k);
+          if (nearest[from] >= 0 && nearest[to] < 0 && length < least[to])
+          {
+            least[to] = length;
+            found[to] = nearest[from];
+            isChanged = true;
+          }
+        }
+      }
+    }
+    nearest = std::move(found);
+  }
+}
+
+std::vector<int> HeatDistances::usedVertices() const
+{
+  std::vector<int> used = conformal::usedVertices(
+    this->Surface.Triangles, static_cast<Index>(this->Surface.Parts.size()));
+  used.erase(std::lower_bound(used.begin(), used.end(), static_cast<int>(this->NumberOfVertices)),
+    used.end());
+  return used;
 }
 
 //------------------------------------------------------------------------------
 void addFarthestVertices(
   const HeatDistances& surface, Index count, std::vector<int>& sources, const Run& run)
 {
+  // Parts without a source are infinitely far.
   Eigen::VectorXd distances = surface.from(sources);
+  for (const int v : surface.usedVertices())
+  {
+    distances[v] = distances[v] < 0.0 ? std::numeric_limits<double>::infinity() : distances[v];
+  }
   for (Index i = 0; i < count; ++i)
   {
     Index farthest = 0;

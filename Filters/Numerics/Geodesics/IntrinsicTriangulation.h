@@ -8,6 +8,8 @@
 #include "Base/Types.h"
 #include "Mesh/Mesh.h"
 
+#include <vector>
+
 namespace conformal
 {
 /// Triangulation of a surface, whose edges are shortest lines on the surface that are known by
@@ -16,7 +18,9 @@ namespace conformal
 struct IntrinsicTriangulation
 {
   conformal::Triangles Triangles; ///< #F by 3 ids of vertices
-  Points Lengths; ///< #F by 3; column k is the length of the edge from corner k to corner k + 1
+  Points Lengths;   ///< #F by 3; column k is the length of the edge from corner k to corner k + 1
+  Points Positions; ///< of the vertices: those of the mesh, and then those that were added
+  std::vector<int> Parts; ///< connected part of each vertex: the smallest id of the part's vertices
 };
 
 /// Return the intrinsic Delaunay triangulation of a mesh: both angles opposite an edge have a sum
@@ -24,8 +28,10 @@ struct IntrinsicTriangulation
 /// within the surface until all have this property, \cite Fisher2007.
 ///
 /// Edges of one triangle, of more than two, and edges between triangles of opposite orientation are
-/// kept. All edges are lengthened by the same small amount if some triangle has no area,
-/// \cite Sharp2020.
+/// not flipped. If their cotangent weight is negative, vertices are added to them, as for segments
+/// in \cite Ruppert1995, but at the foot of the opposite vertex, and no more vertices than the mesh
+/// has. All edges of a connected part are lengthened by the same small amount if some of its
+/// triangles has no area, \cite Sharp2020.
 /// @param[in] mesh  any triangles; no triangle repeats a vertex
 /// @throws Aborted
 IntrinsicTriangulation intrinsicDelaunay(const Mesh& mesh, const Run& run = {});

@@ -16,6 +16,8 @@ namespace
 constexpr Index PanelSize = 96;
 // Number of rows above which fronts are factored one after another, each on all threads
 constexpr Index LargeFront = 500;
+// Number of multiplications below which any elimination order is used
+constexpr double LargeWork = 1e8;
 }
 
 //------------------------------------------------------------------------------
@@ -25,24 +27,30 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
   const double size = static_cast<double>(places.rows());
   Steps steps(run, { 0.06, 0.03, 0.91 }); // dissection, boundaries, elimination
   steps.next();
-  this->Dissection = dissect(weights.Neighbors, places);
-  this->Fronts.resize(this->Dissection.Parts.size());
+  // The dissection of a surface needs about 15 n^1.5 multiplications. The width of its separators
+  // is the number of rings.
+  const double scale = rings * rings * rings * size * std::sqrt(size);
+  double total = this->dissect(weights.Neighbors, places, CutAxes::LongestSide);
+  if (total > LargeWork + 60.0 * scale)
+  {
+    const double before = total;
+    total = this->dissect(weights.Neighbors, places, CutAxes::FewestUnknowns);
+    if (total > before)
+    {
+      total = this->dissect(weights.Neighbors, places, CutAxes::LongestSide);
+    }
+  }
   steps.next();
-  this->findBoundaries(weights.Neighbors);
+  if (total > LargeWork + 300.0 * scale)
+  {
+    throw NumericalFailure("the surface cannot be cut into small parts");
+  }
   std::vector<std::vector<std::size_t>> levels;
-  double total = 0.0;
   for (std::size_t part = 0; part < this->Fronts.size(); ++part)
   {
     const std::size_t level = this->Dissection.Parts[part].Level;
     levels.resize(std::max(levels.size(), level + 1));
     levels[level].push_back(part);
-    total += this->work(part);
-  }
-  // The dissection of a surface needs about 15 n^1.5 multiplications. The width of its separators
-  // is the number of rings.
-  if (total > 1e8 + 300.0 * rings * rings * rings * size * std::sqrt(size))
-  {
-    throw NumericalFailure("the surface cannot be cut into small parts");
   }
   const Run eliminating = steps.next();
   double done = 0.0;
@@ -79,6 +87,22 @@ MultifrontalCholesky::MultifrontalCholesky(const EdgeWeights& weights,
       });
     done += share;
   }
+}
+
+//------------------------------------------------------------------------------
+// Compute the elimination order and the boundaries of its parts. Return the number of
+// multiplications.
+double MultifrontalCholesky::dissect(const Adjacency& graph, const Points& places, CutAxes axes)
+{
+  this->Dissection = conformal::dissect(graph, places, axes);
+  this->Fronts.assign(this->Dissection.Parts.size(), {});
+  this->findBoundaries(graph);
+  double total = 0.0;
+  for (std::size_t part = 0; part < this->Fronts.size(); ++part)
+  {
+    total += this->work(part);
+  }
+  return total;
 }
 
 //------------------------------------------------------------------------------

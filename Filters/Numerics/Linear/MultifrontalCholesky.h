@@ -53,6 +53,7 @@ private:
     Columns Update;
   };
 
+  double dissect(const Adjacency& graph, const Points& places, CutAxes axes);
   void findBoundaries(const Adjacency& graph);
   double work(std::size_t part) const;
   void assemble(std::size_t part, const EdgeWeights& weights, const std::vector<double>& diagonal);

@@ -12,9 +12,10 @@ constexpr int LeafSize = 48;
 class Dissector
 {
 public:
-  Dissector(const Adjacency& graph, const Points& places, NestedDissection& result)
+  Dissector(const Adjacency& graph, const Points& places, CutAxes axes, NestedDissection& result)
     : Graph(graph)
     , Places(places)
+    , Axes(axes)
     , Result(result)
     , Sides(places.rows(), -1)
   {
@@ -52,20 +53,36 @@ private:
       low = low.cwiseMin(this->Places.row(ids[i]));
       high = high.cwiseMax(this->Places.row(ids[i]));
     }
+    const int middle = begin + (end - begin) / 2;
+    // Put the unknowns of the right half behind the middle. Return the number of this cut.
+    const auto halve = [&](Index axis)
+    {
+      std::nth_element(ids + begin, ids + middle, ids + end,
+        [&](int a, int b)
+        {
+          const double x = this->Places(a, axis), y = this->Places(b, axis);
+          return x != y ? x < y : a < b;
+        });
+      const int stamp = this->Stamp++;
+      for (int i = middle; i < end; ++i)
+      {
+        this->Sides[ids[i]] = stamp;
+      }
+      return stamp;
+    };
     Index axis = 0;
     (high - low).maxCoeff(&axis);
-    const int middle = begin + (end - begin) / 2;
-    std::nth_element(ids + begin, ids + middle, ids + end,
-      [&](int a, int b)
-      {
-        const double x = this->Places(a, axis), y = this->Places(b, axis);
-        return x != y ? x < y : a < b;
-      });
-    const int stamp = this->Stamp++;
-    for (int i = middle; i < end; ++i)
+    if (this->Axes == CutAxes::FewestUnknowns)
     {
-      this->Sides[ids[i]] = stamp;
+      Index fewest = end - begin;
+      for (const Index other : { axis, (axis + 1) % 3, (axis + 2) % 3 })
+      {
+        const Index count = this->separatorSize(begin, middle, halve(other));
+        axis = count < fewest ? other : axis;
+        fewest = std::min(fewest, count);
+      }
     }
+    const int stamp = halve(axis);
     const auto inside = [&](int id)
     {
       return std::none_of(this->Graph.begin(id), this->Graph.end(id),
@@ -77,8 +94,21 @@ private:
     return { leftEnd, leftEnd + (end - middle) };
   }
 
+  // Count the unknowns in [begin, end) that have neighbors in the right half of a cut.
+  Index separatorSize(int begin, int end, int stamp) const
+  {
+    const auto* ids = this->Result.Order.data();
+    return std::count_if(ids + begin, ids + end,
+      [&](int id)
+      {
+        return std::any_of(this->Graph.begin(id), this->Graph.end(id),
+          [&](int neighbor) { return this->Sides[neighbor] == stamp; });
+      });
+  }
+
   const Adjacency& Graph;
   const Points& Places;
+  CutAxes Axes;
   NestedDissection& Result;
   std::vector<int> Sides; // number of the last cut that had the unknown in its right half
   int Stamp = 0;
@@ -86,7 +116,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-NestedDissection dissect(const Adjacency& graph, const Points& places)
+NestedDissection dissect(const Adjacency& graph, const Points& places, CutAxes axes)
 {
   NestedDissection result;
   const int size = static_cast<int>(places.rows());
@@ -94,7 +124,7 @@ NestedDissection dissect(const Adjacency& graph, const Points& places)
   std::iota(result.Order.begin(), result.Order.end(), 0);
   if (size > 0)
   {
-    Dissector(graph, places, result).part(0, size, 0);
+    Dissector(graph, places, axes, result).part(0, size, 0);
   }
   result.Positions.resize(size);
   for (int i = 0; i < size; ++i)

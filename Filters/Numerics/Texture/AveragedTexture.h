@@ -29,9 +29,10 @@ using MixtureSink =
 ///
 /// If the scan has no triangles, a pixel is a mean of the points within a radius around the point
 /// of the surface that the pixel shows. The radius is half the size of the pixel on the surface, or
-/// larger where the scan has few points. The weights decrease smoothly to 0 at the radius. Gaps of
-/// the scan are thus filled smoothly. If the scan has triangles, several points of the surface in
-/// the pixel are replaced by the closest points of the triangles, and a pixel is the mean of them.
+/// larger where the scan has few points. The weights decrease smoothly to 0 at the radius. If there
+/// are more than about 64 points within the radius, only the nearest ones are used. Gaps of the
+/// scan are thus filled smoothly. If the scan has triangles, several points of the surface in the
+/// pixel are replaced by the closest points of the triangles, and a pixel is the mean of them.
 ///
 /// @param[in] cloud  #P by 3 coordinates, finite; at least one point
 /// @param[in] cloudTriangles  #G by 3 ids in [0, #P); empty for a cloud without triangles

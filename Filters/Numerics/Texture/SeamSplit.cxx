@@ -237,6 +237,14 @@ struct Whole
 };
 
 //------------------------------------------------------------------------------
+// Return the sign of an image's axes: -1 if the image is mirrored on the sphere.
+double handednessOf(const SphereImage& image)
+{
+  const SphereView& view = image.View;
+  return isHemisphere(image.Projection) ? 1.0 : view.Right.cross(view.Up).dot(view.Pole);
+}
+
+//------------------------------------------------------------------------------
 // Surface after cutting.
 class Splitter
 {
@@ -247,6 +255,7 @@ public:
     , Triangles(triangles)
     , Positions(spherePositions)
     , Wrap(wrap)
+    , Handedness(handednessOf(texture.Image))
     , Patches(spherePatches(texture.Image))
     , PatchOfVertex(spherePositions.rows())
     , InPatch(spherePositions.rows(), 2)
@@ -267,7 +276,7 @@ public:
 
   void run(const Run& run)
   {
-    constexpr Index chunk = 1 << 14;
+    constexpr Index chunk = 1 << 9; // a triangle can become many
     for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
       if (r % chunk == 0)
@@ -344,8 +353,7 @@ private:
   // longitude and latitude, small triangles bend enough to flip thin ones.
   bool isTurned(double area, const Vector3& a, const Vector3& b, const Vector3& c) const
   {
-    const SphereView& view = this->Texture.Image.View;
-    return area <= 0.0 && a.cross(b).dot(c) * view.Right.cross(view.Up).dot(view.Pole) > 0.0;
+    return area <= 0.0 && a.cross(b).dot(c) * this->Handedness > 0.0;
   }
 
   void addCut(Index triangle)
@@ -516,6 +524,7 @@ private:
   const conformal::Triangles& Triangles;
   const Points& Positions;
   TextureWrap Wrap;
+  double Handedness;
   std::vector<SpherePatch> Patches;
   std::vector<int> PatchOfVertex;
   TextureCoordinates InPatch; // coordinates of the vertices, not wrapped

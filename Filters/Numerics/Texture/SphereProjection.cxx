@@ -183,11 +183,6 @@ Vector3 fromCube(const Vector2& st, const SphereImage& image)
 // which is not in the image.
 constexpr double BelowBorder = 1e-6; // height
 
-bool isHemisphere(SphereProjection projection)
-{
-  return projection == SphereProjection::Disk || projection == SphereProjection::Square;
-}
-
 int hemispherePatch(const Vector3& n)
 {
   return n[2] >= -BelowBorder ? 0 : 1;
@@ -308,6 +303,12 @@ std::vector<Borders> bordersInView(SphereProjection projection)
   }
   return result;
 }
+}
+
+//------------------------------------------------------------------------------
+bool isHemisphere(SphereProjection projection)
+{
+  return projection == SphereProjection::Disk || projection == SphereProjection::Square;
 }
 
 //------------------------------------------------------------------------------

@@ -52,6 +52,9 @@ struct SphereImage
   double Margin = 0.0;
 };
 
+/// Return whether an image shows the hemisphere z >= 0, independently of View: Disk and Square.
+bool isHemisphere(SphereProjection projection);
+
 /// Project a direction stereographically onto the plane tangent to the sphere at the pole of the
 /// view. The unit is the diameter of the sphere. Let theta be the angle between the direction and
 /// the pole. In the plane, the distance from the pole to the projected direction is tan(theta / 2).

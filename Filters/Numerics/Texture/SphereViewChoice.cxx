@@ -245,17 +245,8 @@ SphereView turned(const SphereView& view, double degrees)
   return result;
 }
 
-void check(const PointView& points, const Triangles& triangles, const Points& spherePositions,
-  const SphereViewOptions& options)
+void check(const SphereViewOptions& options)
 {
-  if (triangles.rows() == 0)
-  {
-    throw std::invalid_argument("the surface has no triangles");
-  }
-  if (points.size() != spherePositions.rows())
-  {
-    throw std::invalid_argument("every point must have a position on the sphere");
-  }
   if (!(options.FieldOfView >= MinimumFieldOfView && options.FieldOfView <= MaximumFieldOfView))
   {
     throw std::invalid_argument("FieldOfView must lie between 0.001 and 340 degrees");
@@ -272,10 +263,24 @@ void check(const PointView& points, const Triangles& triangles, const Points& sp
 }
 
 //------------------------------------------------------------------------------
+void requireMap(const PointView& points, const Triangles& triangles, const Points& spherePositions)
+{
+  if (triangles.rows() == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  if (points.size() != spherePositions.rows())
+  {
+    throw std::invalid_argument("every point must have a position on the sphere");
+  }
+}
+
+//------------------------------------------------------------------------------
 SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   const Points& spherePositions, const SphereViewOptions& options, const Run& run)
 {
-  check(points, triangles, spherePositions, options);
+  requireMap(points, triangles, spherePositions);
+  check(options);
   Vector3 toViewer = directionOf(options.ViewDirection, "ViewDirection");
   const Vector3 upward = directionOf(options.ViewUp, "ViewUp");
   const double withPoint = options.UseViewPoint ? 1.0 : 0.0;

@@ -28,6 +28,11 @@ struct SphereViewOptions
   double Rotation = 0.0;
 };
 
+/// @throws std::invalid_argument if there are no triangles, or not every point has a position on
+/// the
+///   sphere
+void requireMap(const PointView& points, const Triangles& triangles, const Points& spherePositions);
+
 /// Choose the pole (middle) and the axes of an image for a view of the surface. The pole is the
 /// sphere position of a point of the surface. By default, this point is the visible intersection of
 /// the surface with a line: the line of sight through the centroid of the surface area. If this

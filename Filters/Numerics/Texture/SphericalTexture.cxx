@@ -1,7 +1,9 @@
 #include "Texture/SphericalTexture.h"
 
 #include "Base/Steps.h"
+#include "Base/UnitBox.h"
 #include "Texture/SeamSplit.h"
+#include "Texture/SphereViewChoice.h"
 
 #include <stdexcept>
 
@@ -33,9 +35,17 @@ SphericalTexture makeSphericalTexture(const PointView& points, const Triangles& 
   // View, coordinates, seams.
   Steps steps(run, { options.UseViewPoint ? 2.4 : 0.3, 0.1, options.SplitSeam ? 0.6 : 0.0 });
   SphericalTexture texture;
-  texture.Image = { options.Projection,
-    chooseSphereView(points, triangles, spherePositions, options, steps.next()),
-    options.FieldOfView, options.Scale, options.Margin };
+  const Run choosing = steps.next();
+  texture.Image = { options.Projection, {}, options.FieldOfView, options.Scale, options.Margin };
+  if (isHemisphere(options.Projection)) // the view is not used
+  {
+    requireMap(points, triangles, spherePositions);
+    unitBoxOf(points); // rejects points that are not finite
+  }
+  else
+  {
+    texture.Image.View = chooseSphereView(points, triangles, spherePositions, options, choosing);
+  }
   texture.Coordinates.resize(spherePositions.rows(), 2);
   texture.OutsideImage.resize(spherePositions.rows());
   constexpr Index blockSize = 1 << 12;

@@ -28,7 +28,8 @@ constexpr double MinimumScale = 1e-3;
 constexpr double MaximumScale = 1e3;
 
 /// Compute texture coordinates of every point of a surface from its sphere map, \cite Liou2008
-/// section 4.2. The position of the image on the sphere is chosen by chooseSphereView().
+/// section 4.2. The position of the image on the sphere is chosen by chooseSphereView(), except for
+/// Disk and Square, which do not use it.
 ///
 /// With SplitSeam, the surface is cut along three kinds of lines: seams, where the projection is
 /// discontinuous; folds, where it is not smooth; and borders of the image. The corners of a

@@ -32,6 +32,15 @@ std::array<double, 3> originOf(const std::vector<double>& positions)
   return origin;
 }
 
+void requireScaleRange(double scale)
+{
+  using Limits = std::numeric_limits<float>;
+  if (!(scale <= Limits::max() && scale >= Limits::min()))
+  {
+    throw std::invalid_argument("the coordinates in meters do not fit into 32-bit floats");
+  }
+}
+
 // Return the transform of the node, from coordinates of the file to meters, as JSON.
 std::string placementOf(const std::array<double, 3>& origin, double metersPerUnit)
 {
@@ -53,6 +62,7 @@ std::string placementOf(const std::array<double, 3>& origin, double metersPerUni
   }
   if (metersPerUnit != 1.0)
   {
+    requireScaleRange(metersPerUnit);
     std::string unit;
     appendNumber(unit, metersPerUnit);
     text += ",\"scale\":[" + unit + "," + unit + "," + unit + "]";
@@ -99,8 +109,8 @@ std::string placementOf(const PackedPositions& packed, double metersPerUnit)
   for (std::size_t c = 0; c < 3; ++c)
   {
     const double meters = packed.Offset[c] * metersPerUnit, step = packed.Scale * metersPerUnit;
-    using Limits = std::numeric_limits<float>;
-    if (!(std::abs(meters) <= Limits::max() && step <= Limits::max() && step >= Limits::min()))
+    requireScaleRange(step);
+    if (!(std::abs(meters) <= std::numeric_limits<float>::max()))
     {
       throw std::invalid_argument("the coordinates in meters do not fit into 32-bit floats");
     }

@@ -88,6 +88,12 @@ TEST(GLBFile, RefusesWhatFloatsCannotHold)
     }
     EXPECT_THROW(fileOf(surface, "png"), std::invalid_argument) << scale;
   }
+  for (const double unit : { 1e300, 1e-45 })
+  {
+    conformal::TexturedSurface surface = triangle();
+    surface.MetersPerUnit = unit;
+    EXPECT_THROW(fileOf(surface, "png"), std::invalid_argument) << unit;
+  }
 }
 
 TEST(GLBFile, KeepsSurfacesFarFromTheOrigin)

@@ -202,6 +202,48 @@ TEST(ExactDistances, OtherPartsAreNotReached)
   EXPECT_THROW(ExactDistances(mesh, { 0 }), std::invalid_argument);
 }
 
+// On a needle, many paths around it have equal lengths except for rounding. Parallels of the needle
+// have 40 points each.
+TEST(ExactDistances, AreFoundInFewStepsOnANeedle)
+{
+  constexpr int columns = 40, rows = 19;
+  constexpr double thickness = 1e-5;
+  Mesh mesh;
+  mesh.Positions.resize(columns * rows + 2, 3);
+  mesh.Positions.row(columns * rows) << 0.0, 0.0, 1.0;
+  mesh.Positions.row(columns * rows + 1) << 0.0, 0.0, -1.0;
+  mesh.Triangles.resize(2 * columns * rows, 3);
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const double along = conformal::Pi * (j + 1) / (rows + 1),
+                   around = 2.0 * conformal::Pi * i / columns;
+      const int a = j * columns + i, right = j * columns + (i + 1) % columns;
+      mesh.Positions.row(a) << thickness * std::sin(along) * std::cos(around),
+        thickness * std::sin(along) * std::sin(around), std::cos(along);
+      const bool isLast = j + 1 == rows;
+      const int below = isLast ? columns * rows + 1 : a + columns,
+                diagonal = isLast ? below : right + columns;
+      mesh.Triangles.row(2 * a) << a, below, isLast ? right : diagonal;
+      mesh.Triangles.row(2 * a + 1) << a, isLast ? below : diagonal, right;
+      if (isLast) // no second triangle; that at the first pole instead
+      {
+        mesh.Triangles.row(2 * a + 1) << columns * rows, i, (i + 1) % columns;
+      }
+    }
+  }
+  int reports = 0; // one for many steps
+  const conformal::Run run({},
+    [&](double)
+    {
+      ++reports;
+      return reports < 100;
+    });
+  const NearestSources nearest = ExactDistances(mesh, { columns * rows }, run).nearestSources();
+  EXPECT_NEAR(nearest.Distances[columns * rows + 1], 2.0, 1e-8);
+}
+
 TEST(ExactDistances, FlatTrianglesDoNoHarm)
 {
   Mesh mesh = bumpySphere(5);

@@ -2,6 +2,7 @@
 
 #include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
+#include "Runs.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -97,6 +98,17 @@ TEST(GeodesicPath, IsStraightInAPlane)
       (mesh.Positions.row(from) - mesh.Positions.row(to)).norm(), 1e-12)
       << from << " " << to;
   }
+}
+
+TEST(GeodesicPath, ReportsProgressAndStops)
+{
+  const Mesh mesh = square(40, [](int, int) { return false; });
+  const std::vector<int> edges = alongEdges(mesh, 0, 20 * 41 + 40);
+  const PathStraightener surface(mesh);
+  runs::Watch watch;
+  surface.straighten(edges, watch.run());
+  EXPECT_GT(watch.calls(), 5);
+  EXPECT_THROW(surface.straighten(edges, runs::stoppingAt(0.05)), conformal::Aborted);
 }
 
 TEST(GeodesicPath, GoesAroundHoles)

@@ -1,5 +1,6 @@
 #include "Geodesics/HeatDistances.h"
 
+#include "Geodesics/ExactDistances.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
 
@@ -102,6 +103,62 @@ TEST(HeatDistances, DoNotDependOnShapesOfTriangles)
   EXPECT_LT(sum / static_cast<double>(distances.size()), 0.03);
 }
 
+// A cone of long triangles, and one obtuse triangle.
+TEST(HeatDistances, AreThoseOfCoarseMeshesWithLongTriangles)
+{
+  const int count = 20;
+  Mesh cone;
+  cone.Positions.resize(count + 1, 3);
+  cone.Positions.row(count) << 0.0, 0.0, 3.0;
+  cone.Triangles.resize(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * conformal::Pi * i / count;
+    cone.Positions.row(i) << std::cos(angle), std::sin(angle), 0.0;
+    cone.Triangles.row(i) << i, (i + 1) % count, count;
+  }
+  const Eigen::VectorXd distances = HeatDistances(cone).from({ count });
+  for (int i = 0; i < count; ++i)
+  {
+    EXPECT_NEAR(distances[i], std::sqrt(10.0), 0.05);
+  }
+  Mesh needle;
+  needle.Positions.resize(3, 3);
+  needle.Positions << 0, 0, 0, 1, 0, 0, 0.3, 0.03, 0;
+  needle.Triangles.resize(1, 3);
+  needle.Triangles << 0, 1, 2;
+  const conformal::NearestSources nearest = HeatDistances(needle).nearestSources({ 1 });
+  EXPECT_EQ(nearest.Positions, std::vector<int>({ 0, 0, 0 }));
+  EXPECT_NEAR(nearest.Distances[0], 1.0, 0.01);
+  EXPECT_NEAR(nearest.Distances[2], 0.7, 0.01);
+}
+
+// A narrow plate whose rows are shifted, so that angles opposite its borders are obtuse.
+TEST(HeatDistances, ReachAllPointsOfAShiftedPlate)
+{
+  const int n = 160;
+  Mesh plate;
+  plate.Positions.resize((n + 1) * (n + 1), 3);
+  plate.Triangles.resize(2 * n * n, 3);
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      const int a = j * (n + 1) + i, cell = j * n + i;
+      plate.Positions.row(a) << (i + 0.5 * (j % 2)) / n, 0.05 * j / n, 0.0;
+      if (i < n && j < n)
+      {
+        plate.Triangles.row(2 * cell) << a, a + 1, a + n + 2;
+        plate.Triangles.row(2 * cell + 1) << a, a + n + 2, a + n + 1;
+      }
+    }
+  }
+  const conformal::NearestSources nearest = HeatDistances(plate).nearestSources({ 0 }),
+                                  exact = conformal::ExactDistances(plate, { 0 }).nearestSources();
+  EXPECT_EQ(*std::min_element(nearest.Positions.begin(), nearest.Positions.end()), 0);
+  EXPECT_LT((nearest.Distances - exact.Distances).cwiseAbs().maxCoeff(), 0.02);
+}
+
 TEST(HeatDistances, DoNotReachOtherParts)
 {
   const Mesh both = twoSpheres();
@@ -118,6 +175,28 @@ TEST(HeatDistances, DoNotReachOtherParts)
   const Eigen::VectorXd of2 = surface.from({ 3, static_cast<int>(size) + 3 });
   EXPECT_NEAR((of2.head(size) - distances.head(size)).cwiseAbs().maxCoeff(), 0.0, 1e-9);
   EXPECT_NEAR((of2.segment(size, size) - of2.head(size)).cwiseAbs().maxCoeff(), 0.0, 1e-6);
+}
+
+TEST(HeatDistances, DoNotDependOnSizesOfOtherParts)
+{
+  Mesh both = twoSpheres();
+  const Index size = (both.Positions.rows() - 1) / 2;
+  const Eigen::VectorXd equal = HeatDistances(both).from({ static_cast<int>(size) });
+  constexpr double factor = 1e-6;
+  both.Positions.middleRows(size, size) *= factor;
+  const Eigen::VectorXd small = HeatDistances(both).from({ static_cast<int>(size) }) / factor;
+  EXPECT_NEAR((small - equal).segment(size, size).cwiseAbs().maxCoeff(), 0.0, 1e-3);
+}
+
+TEST(HeatDistances, FindFarthestVerticesOnAllParts)
+{
+  const Mesh both = twoSpheres();
+  const int size = static_cast<int>(both.Positions.rows() - 1) / 2;
+  std::vector<int> sources = { 0 };
+  addFarthestVertices(HeatDistances(both), 9, sources);
+  ASSERT_EQ(sources.size(), 10U);
+  EXPECT_EQ(std::count_if(sources.begin(), sources.end(), [&](int v) { return v < size; }), 5);
+  EXPECT_EQ(std::count(sources.begin(), sources.end(), 2 * size), 0); // it has no triangles
 }
 
 TEST(HeatDistances, DivideASphereAmongSources)

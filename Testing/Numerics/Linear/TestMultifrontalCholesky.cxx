@@ -145,6 +145,42 @@ TEST(MultifrontalCholesky, DissectsPiecesThatAreNotConnected)
   }
 }
 
+// A grid of 12 columns that are far apart, and 200 rows. The fewest unknowns are across the rows.
+TEST(MultifrontalCholesky, CutsWhereTheFewestUnknownsAre)
+{
+  const int columns = 12, rows = 200;
+  conformal::Points places(columns * rows, 3);
+  conformal::Adjacency neighbors;
+  neighbors.Offsets = { 0 };
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      places.row(j * columns + i) << 100.0 * i, j, 0.0;
+      for (const auto& [x, y] :
+        { std::pair(i - 1, j), std::pair(i + 1, j), std::pair(i, j - 1), std::pair(i, j + 1) })
+      {
+        if (x >= 0 && x < columns && y >= 0 && y < rows)
+        {
+          neighbors.Ids.push_back(y * columns + x);
+        }
+      }
+      neighbors.Offsets.push_back(static_cast<int>(neighbors.Ids.size()));
+    }
+  }
+  const auto largest = [&](conformal::CutAxes axes)
+  {
+    int size = 0;
+    for (const auto& part : conformal::dissect(neighbors, places, axes).Parts)
+    {
+      size = std::max(size, part.Children.empty() ? 0 : part.End - part.Begin);
+    }
+    return size;
+  };
+  EXPECT_EQ(largest(conformal::CutAxes::LongestSide), rows);
+  EXPECT_EQ(largest(conformal::CutAxes::FewestUnknowns), columns);
+}
+
 TEST(MultifrontalCholesky, PartsAreKeptApart)
 {
   const auto sphere = conformal::makeGeodesicSphere(30);

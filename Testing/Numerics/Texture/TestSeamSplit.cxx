@@ -1,6 +1,7 @@
 #include "Texture/SeamSplit.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -82,6 +83,28 @@ TEST(SeamSplit, WrapsCoordinates)
 }
 
 // Each triangle is cut into parts of its own plane and sense that fill it.
+// The disk does not depend on the view. The view of a mirrored map is left-handed.
+TEST(SeamSplit, DiskAndSquareDoNotDependOnTheView)
+{
+  const Mesh sphere = makeGeodesicSphere(6);
+  for (const SphereProjection projection : { SphereProjection::Disk, SphereProjection::Square })
+  {
+    SphericalTexture mirrored = unsplit(sphere, projection);
+    mirrored.Image.View.Right = { -1, 0, 0 };
+    splitAtSeams(mirrored, sphere.Triangles, sphere.Positions, TextureWrap::Clamp, {});
+    EXPECT_EQ(mirrored.SplitTriangles, split(sphere, projection).SplitTriangles);
+  }
+}
+
+TEST(SeamSplit, ReportsProgressOften)
+{
+  const Mesh sphere = makeGeodesicSphere(20);
+  SphericalTexture texture = unsplit(sphere, SphereProjection::Octahedral);
+  runs::Watch watch;
+  splitAtSeams(texture, sphere.Triangles, sphere.Positions, TextureWrap::Clamp, watch.run());
+  EXPECT_GT(watch.calls(), 10);
+}
+
 TEST(SeamSplit, PartsFillTheirTriangles)
 {
   const Mesh sphere = makeGeodesicSphere(7);

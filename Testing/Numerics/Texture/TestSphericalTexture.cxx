@@ -391,3 +391,20 @@ TEST(SphericalTexture, RefusesScalesAndMarginsOutOfRange)
     EXPECT_THROW(make(options), std::invalid_argument) << bad;
   }
 }
+
+TEST(SphericalTexture, DiskAndSquareDoNotUseTheView)
+{
+  const auto sphere = conformal::makeGeodesicSphere(4);
+  for (const SphereProjection projection : { SphereProjection::Disk, SphereProjection::Square })
+  {
+    SphericalTextureOptions options;
+    options.Projection = projection;
+    options.ViewDirection = { 1.0, 0.0, 0.3 };
+    options.ViewUp = options.ViewDirection; // no view
+    const SphericalTexture texture =
+      makeSphericalTexture(sphere.Positions, sphere.Triangles, sphere.Positions, options);
+    EXPECT_EQ(texture.Image.View.Pole, Vector3(0.0, 0.0, 1.0));
+    EXPECT_THROW(makeSphericalTexture(sphere.Positions, Triangles(0, 3), sphere.Positions, options),
+      std::invalid_argument);
+  }
+}
