@@ -291,7 +291,8 @@ int largestPart(const PointView& points, const Triangles& triangles, const std::
 }
 
 // Make one vertex for each fan of triangles, in the order of the points.
-void makeVertices(GluedSurface& surface, const PointView& points)
+// @return number of points that have several vertices
+Index makeVertices(GluedSurface& surface, const PointView& points)
 {
   std::vector<int> vertices(surface.Corners.size(), -1), pointIds;
   for (int side = 0; side < surface.numberOfSides(); ++side)
@@ -328,6 +329,14 @@ void makeVertices(GluedSurface& surface, const PointView& points)
   {
     surface.Corners[side] = ids[vertices[side]];
   }
+  Index several = 0;
+  for (std::size_t v = 1; v < surface.PointIds.size(); ++v)
+  {
+    const bool isSecond = surface.PointIds[v] == surface.PointIds[v - 1] &&
+      (v == 1 || surface.PointIds[v] != surface.PointIds[v - 2]);
+    several += isSecond;
+  }
+  return several;
 }
 
 // Return the side of a reversed triangle, whose second and third corners are swapped, and so are
@@ -465,7 +474,7 @@ GluedSurface glueTriangles(
       }
     }
   }
-  makeVertices(surface, points);
+  report.NumberOfSeparatedPoints = makeVertices(surface, points);
   return surface;
 }
 

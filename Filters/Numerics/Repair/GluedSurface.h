@@ -59,6 +59,8 @@ struct GluingReport
   Index NumberOfDuplicates = 0;
   /// Number of edges of more than two triangles in the whole input.
   Index NumberOfNonManifoldEdges = 0;
+  /// Number of points of the largest connected part that have several vertices, one for each fan.
+  Index NumberOfSeparatedPoints = 0;
   /// Number of triangles whose orientation was reversed, in the largest connected part.
   Index NumberOfTurnedTriangles = 0;
   Index NumberOfPartsRemoved = 0;     ///< number of connected parts that were not kept
