@@ -291,8 +291,7 @@ int largestPart(const PointView& points, const Triangles& triangles, const std::
 }
 
 // Make one vertex for each fan of triangles, in the order of the points.
-// @return number of points that have several vertices
-Index makeVertices(GluedSurface& surface, const PointView& points)
+void makeVertices(GluedSurface& surface, const PointView& points)
 {
   std::vector<int> vertices(surface.Corners.size(), -1), pointIds;
   for (int side = 0; side < surface.numberOfSides(); ++side)
@@ -329,14 +328,6 @@ Index makeVertices(GluedSurface& surface, const PointView& points)
   {
     surface.Corners[side] = ids[vertices[side]];
   }
-  Index several = 0;
-  for (std::size_t v = 1; v < surface.PointIds.size(); ++v)
-  {
-    const bool isSecond = surface.PointIds[v] == surface.PointIds[v - 1] &&
-      (v == 1 || surface.PointIds[v] != surface.PointIds[v - 2]);
-    several += isSecond;
-  }
-  return several;
 }
 
 // Return the side of a reversed triangle, whose second and third corners are swapped, and so are
@@ -413,12 +404,12 @@ int placeInLoop(int corner, int size)
 {
   return (size - corner) % size;
 }
-}
 
-//------------------------------------------------------------------------------
-GluedSurface glueTriangles(
-  const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run)
+// Glue the triangles of the largest part, or of all parts.
+GluedSurface glueParts(const PointView& points, const Triangles& triangles, bool isLargestOnly,
+  GluingReport& report, const Run& run)
 {
+  constexpr int everyPart = -1;
   Steps steps(run, { 0.5, 0.25, 0.25 });
   steps.next();
   GluedSurface surface;
@@ -434,7 +425,8 @@ GluedSurface glueTriangles(
   steps.next();
   TurnedSets parts(triangles.rows());
   const Gluing gluing = glueSides(points, sides, used, triangles.rows(), parts);
-  const int largest = largestPart(points, triangles, used, parts, report);
+  const int largest =
+    isLargestOnly ? largestPart(points, triangles, used, parts, report) : everyPart;
   for (const int r : gluing.Conflicts)
   {
     if (parts.first(r) == largest)
@@ -451,7 +443,7 @@ GluedSurface glueTriangles(
   std::vector<int> places(triangles.rows(), -1);
   for (const int r : used)
   {
-    if (parts.first(r) == largest)
+    if (largest == everyPart || parts.first(r) == largest)
     {
       places[r] = surface.numberOfTriangles();
       surface.TriangleIds.push_back(r);
@@ -474,8 +466,37 @@ GluedSurface glueTriangles(
       }
     }
   }
-  report.NumberOfSeparatedPoints = makeVertices(surface, points);
+  makeVertices(surface, points);
+  report.NumberOfSeparatedPoints = numberOfSeparatedPoints(surface);
   return surface;
+}
+}
+
+//------------------------------------------------------------------------------
+GluedSurface glueTriangles(
+  const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run)
+{
+  return glueParts(points, triangles, true, report, run);
+}
+
+//------------------------------------------------------------------------------
+GluedSurface glueAllTriangles(
+  const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run)
+{
+  return glueParts(points, triangles, false, report, run);
+}
+
+//------------------------------------------------------------------------------
+Index numberOfSeparatedPoints(const GluedSurface& surface)
+{
+  const std::vector<int>& ids = surface.PointIds;
+  Index count = 0;
+  for (std::size_t v = 1; v < ids.size(); ++v)
+  {
+    const bool isFirstCopy = ids[v] == ids[v - 1] && (v == 1 || ids[v] != ids[v - 2]);
+    count += ids[v] >= 0 && isFirstCopy;
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------

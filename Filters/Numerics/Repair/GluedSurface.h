@@ -89,6 +89,16 @@ struct GluingReport
 GluedSurface glueTriangles(
   const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run = {});
 
+/// Glue triangles as glueTriangles() does, and keep all parts. The members NumberOfPartsRemoved,
+/// NumberOfTrianglesRemoved and AreaRemoved of the report are not changed. Sides of a part that is
+/// not orientable are not glued where they do not agree.
+GluedSurface glueAllTriangles(
+  const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run = {});
+
+/// Return the number of points of the input that have several vertices, one for each fan. Vertices
+/// of a point must have consecutive ids, as after glueTriangles().
+Index numberOfSeparatedPoints(const GluedSurface& surface);
+
 /// Return the boundary as loops of open sides (sides that are not glued). Each side ends where the
 /// next side of its loop begins.
 std::vector<std::vector<int>> openLoops(const GluedSurface& surface);
