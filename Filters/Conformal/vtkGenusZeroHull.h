@@ -129,13 +129,20 @@ public:
    * - The points enclose nothing.
    * - The object has handles.
    * - More than 0.5 % of the points are outside and not near the hull.
+   * - The hull is torn: more than four handles were cut, by three or more nodes for each. Sheets
+   * that are thinner than the spacing of the points cause this, even if the object has no handles.
    *
    * The hull by winding numbers then replaces the hull by distance under three conditions:
    * - No handles of the object were cut in the hull by winding numbers.
    * - Few points are outside of the hull by winding numbers.
    * - The noise of the points is small. If "Leaks" is 1, this condition is not required.
    *
-   * The computation of the hull by winding numbers costs about one second on one thread.
+   * If the hull by distance is torn, and the hull by winding numbers does not replace it or is also
+   * torn, AUTOMATIC makes hulls by distance with 1.5, 2 and 3 times Offset. The first of them whose
+   * handles are cut by at most eight nodes is the result.
+   *
+   * The computation of the hull by winding numbers costs one to ten seconds on one thread; noisy
+   * points take longest.
    */
   vtkSetClampMacro(Method, int, AUTOMATIC, WINDING_NUMBERS);
   vtkGetMacro(Method, int);

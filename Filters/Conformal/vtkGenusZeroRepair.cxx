@@ -1,5 +1,6 @@
 #include "vtkGenusZeroRepair.h"
 
+#include "Base/CoordinateFrame.h"
 #include "Base/Steps.h"
 #include "Glue/Arrays.h"
 #include "Glue/CarriedArrays.h"
@@ -46,13 +47,44 @@ void AddOriginalIds(vtkFieldData* data, const char* name, const std::vector<vtkI
   data->AddArray(array);
 }
 
+// Compute the frame of the points that triangles use. Files mark unused points by huge coordinates.
+conformal::CoordinateFrame FrameOfUsedPoints(
+  vtkPolyData* surface, const conformal::Triangles& triangles)
+{
+  conformal::Points copy;
+  const conformal::PointView points = glue::ViewPoints(surface->GetPoints(), {}, copy);
+  std::vector<char> isUsed(points.size(), 0);
+  for (conformal::Index i = 0; i < triangles.size(); ++i)
+  {
+    isUsed[triangles.data()[i]] = 1;
+  }
+  conformal::Points used(std::count(isUsed.begin(), isUsed.end(), 1), 3);
+  conformal::Index next = 0;
+  for (conformal::Index i = 0; i < points.size(); ++i)
+  {
+    if (isUsed[i])
+    {
+      used.row(next++) = points[i];
+    }
+  }
+  return conformal::frameOf({ used });
+}
+
+// Return whether the result equals the input. The number of points does not tell: an unused point
+// is removed, and a separated point is duplicated.
 bool IsAsBefore(const Repaired& repaired, vtkPolyData* surface)
 {
-  return repaired.Loops.empty() && repaired.NumberOfTrianglesAdded == 0 &&
-    repaired.NumberOfPointsMerged == 0 && repaired.NumberOfPartsJoined == 0 &&
-    repaired.Gluing.NumberOfTurnedTriangles == 0 && repaired.Gluing.NumberOfRepeatedPoints == 0 &&
-    repaired.Gluing.NumberOfDuplicates == 0 && repaired.Gluing.NumberOfPartsRemoved == 0 &&
-    repaired.Positions.rows() == surface->GetNumberOfPoints() &&
+  bool hasSamePoints =
+    static_cast<vtkIdType>(repaired.PointIds.size()) == surface->GetNumberOfPoints();
+  for (std::size_t i = 0; i < repaired.PointIds.size() && hasSamePoints; ++i)
+  {
+    hasSamePoints = repaired.PointIds[i] == static_cast<int>(i);
+  }
+  return hasSamePoints && repaired.Gluing.NumberOfNonManifoldEdges == 0 && repaired.Loops.empty() &&
+    repaired.NumberOfTrianglesAdded == 0 && repaired.NumberOfPointsMerged == 0 &&
+    repaired.NumberOfPartsJoined == 0 && repaired.Gluing.NumberOfTurnedTriangles == 0 &&
+    repaired.Gluing.NumberOfRepeatedPoints == 0 && repaired.Gluing.NumberOfDuplicates == 0 &&
+    repaired.Gluing.NumberOfPartsRemoved == 0 &&
     surface->GetNumberOfVerts() + surface->GetNumberOfLines() == 0;
 }
 
@@ -198,6 +230,8 @@ void AddFigures(vtkFieldData* data, const Repaired& repaired, conformal::Index n
     "triangles with a repeated point, or duplicates of others, were dropped");
   report.Add("NumberOfEdgesSeparated", gluing.NumberOfNonManifoldEdges,
     "edges of more than two triangles were separated");
+  report.Add("NumberOfPointsSeparated", gluing.NumberOfSeparatedPoints,
+    "points were duplicated, since their triangles do not form one fan");
   report.Add("NumberOfPartsJoined", repaired.NumberOfPartsJoined,
     "parts that overlap others were joined with them");
   report.Add("NumberOfPartsRemoved", gluing.NumberOfPartsRemoved,
@@ -241,6 +275,12 @@ void WarnOfRepairs(vtkObject* self, const Repaired& repaired)
     vtkWarningWithObjectMacro(self,
       << gluing.NumberOfNonManifoldEdges << " edges of more than two triangles were separated");
   }
+  if (gluing.NumberOfSeparatedPoints > 0)
+  {
+    vtkWarningWithObjectMacro(
+      self, << gluing.NumberOfSeparatedPoints
+            << " points were duplicated, since their triangles do not form one fan");
+  }
   if (gluing.NumberOfPartsRemoved > 0)
   {
     vtkWarningWithObjectMacro(self, << gluing.NumberOfPartsRemoved
@@ -281,9 +321,9 @@ int vtkGenusZeroRepair::RequestData(
       // Relative costs of reading, repair and output.
       conformal::Steps steps(glue::RunOf(this), { 0.04, 0.9, 0.06 });
       steps.next();
-      const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       std::vector<vtkIdType> cellIds;
       const conformal::Triangles triangles = glue::ToTriangles(surface, cellIds);
+      const conformal::CoordinateFrame frame = FrameOfUsedPoints(surface, triangles);
       conformal::Points copy;
       const Repaired repaired = conformal::repairGenusZero(
         glue::ViewPoints(surface->GetPoints(), frame, copy), triangles, options, steps.next());

@@ -56,13 +56,16 @@
  *   duplicates.
  * - "NumberOfEdgesSeparated": number of edges that belonged to more than two triangles. Each was
  *   split into edges of at most two triangles.
+ * - "NumberOfPointsSeparated": number of points of the largest part whose triangles form several
+ *   fans around the point. Each fan got a point at the same place.
  * - "NumberOfTrianglesAdded": number of triangles that fill holes and cuts, and of pieces of
  *   triangles that were split.
  * - "UntouchedFraction" (double): fraction of the input's triangles that are in the output.
  * - "RepairReport" (string): one line for each repair that was made, and for each hole that was
  *   left open.
  *
- * There is one warning each for open holes, removed parts, separated edges and dropped triangles.
+ * There is one warning each for open holes, removed parts, separated edges and points, and dropped
+ * triangles.
  * If the largest part is not orientable, there is an error.
  *
  * The repair is not part of the paper (C.-Y. Liou, Y.-T. Kuo, J.-C. Huang, "Conformal

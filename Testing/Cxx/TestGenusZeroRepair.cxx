@@ -31,7 +31,7 @@ const char* const Counts[] = { "IsGenusZero", "EulerNumber", "NumberOfHandlesCut
   "NumberOfTunnelsFilled", "NumberOfBoundariesFilled", "NumberOfBoundariesLeft",
   "NumberOfPartsRemoved", "NumberOfTrianglesRemoved", "NumberOfPointsMerged",
   "NumberOfTrianglesTurned", "NumberOfTrianglesDropped", "NumberOfEdgesSeparated",
-  "NumberOfTrianglesAdded" };
+  "NumberOfPointsSeparated", "NumberOfTrianglesAdded" };
 
 double Figure(vtkGenusZeroRepair* filter, const char* name)
 {
@@ -294,6 +294,60 @@ TEST(GenusZeroRepair, LeavesOtherPartsOutWithAWarning)
   EXPECT_EQ(Figure(filter, "NumberOfTrianglesRemoved"), 500);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 500);
   EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("OriginalCellIds")->GetTuple1(0), 500);
+}
+
+// Both poles of the sphere are one point, and the other one is unused: the number of points is that
+// of the result.
+TEST(GenusZeroRepair, SeparatesPointsWithAWarning)
+{
+  const auto surface = Scaled(1.0, 0.0);
+  const vtkIdType unused = 11;
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    surface->GetCellPoints(i, ids);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      ids->SetId(k, ids->GetId(k) == unused ? 0 : ids->GetId(k));
+    }
+    triangles->InsertNextCell(ids);
+  }
+  surface->SetPolys(triangles);
+  vtkNew<vtkGenusZeroRepair> filter;
+  contract::Observed observed(filter);
+  filter->SetInputData(surface);
+  filter->Update();
+  observed.ExpectWarning("1 points were duplicated");
+  ExpectGenusZero(filter->GetOutput());
+  EXPECT_EQ(Figure(filter, "NumberOfPointsSeparated"), 1);
+  EXPECT_EQ(Words(filter),
+    "1 points were duplicated, since their triangles do not form one fan\n"
+    "the result is a closed surface of genus zero\n");
+  vtkDataArray* originals = filter->GetOutput()->GetPointData()->GetArray("OriginalPointIds");
+  EXPECT_EQ(originals->GetTuple1(1), 0);
+  EXPECT_EQ(originals->GetTuple1(unused), unused - 1);
+}
+
+TEST(GenusZeroRepair, KeepsTheLargestPartBesideHugeUnusedPoints)
+{
+  for (const double fill : { 0.0, 1e100, std::numeric_limits<double>::max() })
+  {
+    const auto surface = Appended(Scaled(0.1, 5.0), Scaled(1.0, 0.0));
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->DeepCopy(surface->GetPoints());
+    points->InsertNextPoint(fill, 0.0, 0.0);
+    surface->SetPoints(points);
+    surface->GetPointData()->Initialize();
+    vtkNew<vtkGenusZeroRepair> filter;
+    contract::Observed observed(filter);
+    filter->SetInputData(surface);
+    filter->Update();
+    EXPECT_NEAR(Figure(filter, "RemovedAreaFraction"), 0.0099, 1e-4);
+    EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("OriginalCellIds")->GetTuple1(0), 500);
+    ExpectGenusZero(filter->GetOutput());
+  }
 }
 
 // Half a sphere: its hole has half of its area.

@@ -183,14 +183,16 @@ public:
     solid.EulerNumber = eulerNumber(solid.Grid, solid.Inside);
     std::function<bool(const std::vector<int>&)> isKept;
     std::vector<float> distances;
+    double begin = 0.5; // of the removal of handles
     if (handleWidth != RemoveAllHandles && solid.EulerNumber < 1)
     {
-      distances = distanceToSamples(solid.Grid, samples, run.unwatched());
+      begin = 0.7;
+      distances = distanceToSamples(solid.Grid, samples, run.part(0.5, begin));
       const double width = handleWidth * spacingOfData(distances, samples.totalSize());
       isKept = [&distances, width](const std::vector<int>& nodes)
       { return widthOfPiece(nodes, distances) >= width; };
     }
-    solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, isKept, run.part(0.5, 1.0));
+    solid.Repair = openHandles(solid.Grid, solid.Field, solid.Inside, isKept, run.part(begin, 1.0));
     if (std::count(solid.Inside.begin(), solid.Inside.end(), 1) == 0)
     {
       solid.Inside.clear();

@@ -160,15 +160,19 @@ bool isTunnel(const GluedSurface& surface, const std::vector<int>& loop)
 
 void openHandles(GluedSurface& surface, double area, std::vector<RepairLoop>& done, const Run& run)
 {
-  const auto whole = static_cast<double>(numberOfHandles(surface));
-  for (Index left = numberOfHandles(surface); left > 0; left = numberOfHandles(surface))
+  double begin = 0.0;
+  while (numberOfHandles(surface) > 0)
   {
-    // The first search finds most handles.
-    const double begin = 1.0 - static_cast<double>(left) / whole;
+    // The first search finds most handles. The number of searches is not known.
+    const double found = 0.4 * begin + 0.6, end = 0.2 * begin + 0.8;
     const std::vector<HandleLoop> loops =
-      findHandleLoops(surface, sideLengths(surface), run.part(begin, 0.2 * begin + 0.8));
+      findHandleLoops(surface, sideLengths(surface), run.part(begin, found));
+    const Run ofCuts = run.part(found, end);
+    std::size_t cut = 0;
+    begin = end;
     for (const HandleLoop& loop : loops)
     {
+      ofCuts.report(static_cast<double>(cut++) / static_cast<double>(loops.size()));
       const bool fills = isTunnel(surface, loop.Sides);
       const std::vector<int> right = cutAlong(surface, loop.Sides);
       const LoopCap cap = capFor(surface, loop.Sides);
@@ -186,27 +190,30 @@ void openHandles(GluedSurface& surface, double area, std::vector<RepairLoop>& do
 GluedSurface glueUnion(
   const PointView& points, const UnionOfParts& united, GluingReport& report, const Run& run)
 {
-  if (united.AddedPoints.rows() == 0)
+  if (united.NumberOfPartsJoined == 0)
   {
     return glueTriangles(points, united.Triangles, report, run);
   }
-  Points all(points.size() + united.AddedPoints.rows(), 3);
-  for (Index i = 0; i < points.size(); ++i)
+  GluedSurface surface = glueTriangles(united.Positions, united.Triangles, report, run);
+  report.NumberOfRepeatedPoints = united.Gluing.NumberOfRepeatedPoints;
+  report.NumberOfDuplicates = united.Gluing.NumberOfDuplicates;
+  report.NumberOfNonManifoldEdges = united.Gluing.NumberOfNonManifoldEdges;
+  for (const int id : surface.TriangleIds)
   {
-    all.row(i) = points[i];
+    report.NumberOfTurnedTriangles += united.IsTurned[id];
   }
-  all.bottomRows(united.AddedPoints.rows()) = united.AddedPoints;
-  GluedSurface surface = glueTriangles(all, united.Triangles, report, run);
+  const std::size_t firstAdded = united.PointIds.size() - united.Parents.size();
   for (int v = 0; v < surface.numberOfVertices(); ++v)
   {
-    const Index added = surface.PointIds[v] - points.size();
-    if (added >= 0)
+    const auto vertex = static_cast<std::size_t>(surface.PointIds[v]);
+    surface.PointIds[v] = united.PointIds[vertex];
+    if (vertex >= firstAdded)
     {
-      const std::array<int, 2>& ends = united.Parents[added];
+      const std::array<int, 2>& ends = united.Parents[vertex - firstAdded];
       surface.Parents[v].assign(ends.begin(), ends.end());
-      surface.PointIds[v] = GluedSurface::Added;
     }
   }
+  report.NumberOfSeparatedPoints = numberOfSeparatedPoints(surface);
   return surface;
 }
 
@@ -286,13 +293,18 @@ GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& 
   GenusZeroRepairResult result;
   Triangles merged = triangles;
   result.NumberOfPointsMerged = mergeCoincidentBoundaryPoints(merged, points, report);
-  const UnionOfParts united = uniteParts(points, merged, steps.next());
+  const bool isOnePart =
+    result.NumberOfPointsMerged == 0 && report.manifold() && report.NumberOfComponents == 1;
+  const Run ofUnion = steps.next();
+  const UnionOfParts united =
+    isOnePart ? unchangedPart(triangles) : uniteParts(points, merged, ofUnion);
   result.NumberOfPartsJoined = united.NumberOfPartsJoined;
   GluedSurface surface = glueUnion(points, united, result.Gluing, steps.next());
   if (surface.TriangleIds.empty())
   {
     throw std::invalid_argument("every triangle of the surface has a repeated point");
   }
+  const Index whole = surface.numberOfTriangles();
   const double area = surfaceArea(surface);
   fillHoles(surface, area, options.MaximumHoleArea, result.Loops, steps.next());
   while (splitDoubleEdges(surface) > 0)
@@ -301,10 +313,7 @@ GenusZeroRepairResult repairGenusZero(const PointView& points, const Triangles& 
   if (volumeOf(surface) < 0.0)
   {
     turnOver(surface);
-    const Index all = united.NumberOfPartsJoined > 0 ? united.Triangles.rows() : triangles.rows();
-    result.Gluing.NumberOfTurnedTriangles = all - result.Gluing.NumberOfRepeatedPoints -
-      result.Gluing.NumberOfDuplicates - result.Gluing.NumberOfTrianglesRemoved -
-      result.Gluing.NumberOfTurnedTriangles;
+    result.Gluing.NumberOfTurnedTriangles = whole - result.Gluing.NumberOfTurnedTriangles;
   }
   openHandles(surface, area, result.Loops, steps.next());
   const Run last = steps.next();

@@ -404,12 +404,12 @@ int placeInLoop(int corner, int size)
 {
   return (size - corner) % size;
 }
-}
 
-//------------------------------------------------------------------------------
-GluedSurface glueTriangles(
-  const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run)
+// Glue the triangles of the largest part, or of all parts.
+GluedSurface glueParts(const PointView& points, const Triangles& triangles, bool isLargestOnly,
+  GluingReport& report, const Run& run)
 {
+  constexpr int everyPart = -1;
   Steps steps(run, { 0.5, 0.25, 0.25 });
   steps.next();
   GluedSurface surface;
@@ -425,7 +425,8 @@ GluedSurface glueTriangles(
   steps.next();
   TurnedSets parts(triangles.rows());
   const Gluing gluing = glueSides(points, sides, used, triangles.rows(), parts);
-  const int largest = largestPart(points, triangles, used, parts, report);
+  const int largest =
+    isLargestOnly ? largestPart(points, triangles, used, parts, report) : everyPart;
   for (const int r : gluing.Conflicts)
   {
     if (parts.first(r) == largest)
@@ -442,7 +443,7 @@ GluedSurface glueTriangles(
   std::vector<int> places(triangles.rows(), -1);
   for (const int r : used)
   {
-    if (parts.first(r) == largest)
+    if (largest == everyPart || parts.first(r) == largest)
     {
       places[r] = surface.numberOfTriangles();
       surface.TriangleIds.push_back(r);
@@ -466,7 +467,36 @@ GluedSurface glueTriangles(
     }
   }
   makeVertices(surface, points);
+  report.NumberOfSeparatedPoints = numberOfSeparatedPoints(surface);
   return surface;
+}
+}
+
+//------------------------------------------------------------------------------
+GluedSurface glueTriangles(
+  const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run)
+{
+  return glueParts(points, triangles, true, report, run);
+}
+
+//------------------------------------------------------------------------------
+GluedSurface glueAllTriangles(
+  const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run)
+{
+  return glueParts(points, triangles, false, report, run);
+}
+
+//------------------------------------------------------------------------------
+Index numberOfSeparatedPoints(const GluedSurface& surface)
+{
+  const std::vector<int>& ids = surface.PointIds;
+  Index count = 0;
+  for (std::size_t v = 1; v < ids.size(); ++v)
+  {
+    const bool isFirstCopy = ids[v] == ids[v - 1] && (v == 1 || ids[v] != ids[v - 2]);
+    count += ids[v] >= 0 && isFirstCopy;
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------

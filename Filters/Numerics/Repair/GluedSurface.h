@@ -59,6 +59,8 @@ struct GluingReport
   Index NumberOfDuplicates = 0;
   /// Number of edges of more than two triangles in the whole input.
   Index NumberOfNonManifoldEdges = 0;
+  /// Number of points of the largest connected part that have several vertices, one for each fan.
+  Index NumberOfSeparatedPoints = 0;
   /// Number of triangles whose orientation was reversed, in the largest connected part.
   Index NumberOfTurnedTriangles = 0;
   Index NumberOfPartsRemoved = 0;     ///< number of connected parts that were not kept
@@ -86,6 +88,16 @@ struct GluingReport
 /// @throws std::invalid_argument if the largest connected part is not orientable
 GluedSurface glueTriangles(
   const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run = {});
+
+/// Glue triangles as glueTriangles() does, and keep all parts. The members NumberOfPartsRemoved,
+/// NumberOfTrianglesRemoved and AreaRemoved of the report are not changed. Sides of a part that is
+/// not orientable are not glued where they do not agree.
+GluedSurface glueAllTriangles(
+  const PointView& points, const Triangles& triangles, GluingReport& report, const Run& run = {});
+
+/// Return the number of points of the input that have several vertices, one for each fan. Vertices
+/// of a point must have consecutive ids, as after glueTriangles().
+Index numberOfSeparatedPoints(const GluedSurface& surface);
 
 /// Return the boundary as loops of open sides (sides that are not glued). Each side ends where the
 /// next side of its loop begins.

@@ -439,7 +439,7 @@ std::vector<HandleLoop> findHandleLoops(
   {
     return {};
   }
-  Steps steps(run, { 0.2, 0.3, 0.5 }); // paths, classes, loops
+  Steps steps(run, { 0.2, 0.3, 0.4, 0.1 }); // paths, classes, loops, selection
   steps.next();
   LoopSpace space(surface, lengths);
   const PathTree paths = shortestPaths(space, 0);
@@ -462,11 +462,14 @@ std::vector<HandleLoop> findHandleLoops(
   std::stable_sort(loops.begin(), loops.end(),
     [](const HandleLoop& a, const HandleLoop& b) { return a.Length < b.Length; });
 
+  const Run ofSelection = steps.next();
+  std::size_t visited = 0;
   std::vector<HandleLoop> taken;
   std::vector<char> isUsed(surface.numberOfVertices(), 0);
   ClassBasis basis;
   for (const HandleLoop& loop : loops)
   {
+    ofSelection.report(static_cast<double>(visited++) / static_cast<double>(loops.size()));
     LoopClass sum;
     bool isFree = true;
     for (const int side : loop.Sides)

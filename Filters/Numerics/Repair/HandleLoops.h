@@ -36,8 +36,10 @@ struct HandleLoop
 /// necessary. Between calls, cut the surface along the loops and close the cuts. If the surface has
 /// a handle, each call returns at least one loop.
 ///
-/// The computing time is about that of sorting the sides a few times, plus that of the shortest
-/// paths near each handle.
+/// For few handles, the computing time is about that of sorting the sides a few times, plus that of
+/// the shortest paths near each handle. For thousands of handles, it is at least quadratic in their
+/// number, since each side and loop has one bit for each remaining edge, and since loops of
+/// neighboring handles are shortened again in each call.
 /// @param[in] surface  closed and connected surface
 /// @param[in] lengths  length of each side, #3F, at least 0; glued sides must have equal lengths
 /// @return the loops, sorted by length

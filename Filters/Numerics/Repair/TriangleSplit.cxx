@@ -260,7 +260,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::array<int, 3>> splitTriangle(const TriangleSplitInput& input)
+std::vector<std::array<int, 3>> splitTriangle(const TriangleSplitInput& input, const Run& run)
 {
   Split split(input);
   std::vector<char> isOnEdge(input.Positions.size(), 0);
@@ -275,8 +275,11 @@ std::vector<std::array<int, 3>> splitTriangle(const TriangleSplitInput& input)
       from = point;
     }
   }
+  const auto steps = static_cast<double>(input.Positions.size() + input.Segments.size());
+  double done = 0.0;
   for (std::size_t point = 0; point < input.Positions.size(); ++point)
   {
+    run.report(done++ / steps);
     if (!isOnEdge[point])
     {
       split.addInside(static_cast<int>(point));
@@ -284,6 +287,7 @@ std::vector<std::array<int, 3>> splitTriangle(const TriangleSplitInput& input)
   }
   for (const std::array<int, 2>& segment : input.Segments)
   {
+    run.report(done++ / steps);
     split.connect(segment[0], segment[1]);
   }
   split.makeDelaunay();

@@ -4,6 +4,7 @@
 #ifndef ConformalTriangleSplit_h
 #define ConformalTriangleSplit_h
 
+#include "Base/Run.h"
 #include "Base/Types.h"
 
 #include <array>
@@ -27,7 +28,8 @@ struct TriangleSplitInput
 /// counter-clockwise. Edges that are not segments are flipped until they are locally Delaunay.
 /// @throws NumericalFailure if points or segments are so close to each other that rounding errors
 ///   decide their order
-std::vector<std::array<int, 3>> splitTriangle(const TriangleSplitInput& input);
+/// @throws Aborted
+std::vector<std::array<int, 3>> splitTriangle(const TriangleSplitInput& input, const Run& run = {});
 }
 
 #endif

@@ -6,6 +6,8 @@
 #include "Repair/TriangleSplit.h"
 #include "Search/SelfIntersections.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -30,9 +32,10 @@ Pair sorted(int a, int b)
 struct Piece
 {
   Ids Corners;
-  int Source;   // id of the input's triangle
-  int Part;     // name of the part
-  bool IsWhole; // whether it is the input's triangle
+  int Source;    // id of the input's triangle
+  int Part;      // name of the part
+  bool IsWhole;  // whether it is the input's triangle
+  bool IsTurned; // whether the input's triangle has the other orientation
 };
 
 Points pointsOf(const std::vector<Vector3>& positions)
@@ -125,6 +128,10 @@ public:
         ++uses[ends[1]];
       }
     }
+    if (uses.empty())
+    {
+      throw NumericalFailure("the parts do not cross");
+    }
     if (std::any_of(uses.begin(), uses.end(), [](int n) { return n != 2; }))
     {
       throw NumericalFailure("the segments do not form closed curves");
@@ -132,7 +139,7 @@ public:
   }
 
   // Split the triangles along the segments. Added points have ids from the number of points on.
-  void split()
+  void split(const Run& run)
   {
     this->First = static_cast<int>(this->Positions.size());
     for (const Piercing& p : this->Piercings)
@@ -149,7 +156,7 @@ public:
       }
       else
       {
-        this->splitOne(this->Pieces[i], this->Segments[i], pieces);
+        this->splitOne(this->Pieces[i], this->Segments[i], pieces, run);
       }
     }
     this->Before.swap(this->Pieces);
@@ -157,7 +164,7 @@ public:
   }
 
   // Return the pieces of each part that are outside of the other part.
-  std::vector<Piece> outside() const
+  std::vector<Piece> outside(const Run& run) const
   {
     std::set<Pair> curves;
     for (const auto& segments : this->Segments)
@@ -195,6 +202,7 @@ public:
     std::map<int, bool> isInside;
     for (const auto& [patch, best] : largest)
     {
+      run.report(0.0); // the length of the computation is not known
       isInside[patch] = this->isInsideOther(this->Pieces[best.second]);
     }
     std::vector<Piece> kept;
@@ -266,8 +274,8 @@ private:
     return found.first->second;
   }
 
-  void splitOne(
-    const Piece& piece, const std::vector<Pair>& segments, std::vector<Piece>& pieces) const
+  void splitOne(const Piece& piece, const std::vector<Pair>& segments, std::vector<Piece>& pieces,
+    const Run& run) const
   {
     std::vector<int> ids(piece.Corners.begin(), piece.Corners.end());
     std::map<int, int> places;
@@ -315,10 +323,10 @@ private:
       const Vector3 d = this->Positions[id] - origin;
       input.Positions.emplace_back(d.dot(x), d.dot(y));
     }
-    for (const Ids& part : splitTriangle(input))
+    for (const Ids& part : splitTriangle(input, run))
     {
-      pieces.push_back(
-        { { ids[part[0]], ids[part[1]], ids[part[2]] }, piece.Source, piece.Part, false });
+      pieces.push_back({ { ids[part[0]], ids[part[1]], ids[part[2]] }, piece.Source, piece.Part,
+        false, piece.IsTurned });
     }
   }
 
@@ -348,73 +356,66 @@ private:
   int First = 0;                           // id of the first added point
 };
 
-// Find the sets of points that triangles connect.
-DisjointSets connectedPoints(const Triangles& triangles, Index numberOfPoints)
+// Return directions in no special relation to each other or to the axes.
+Vector3 directionOf(int number)
 {
-  DisjointSets sets(numberOfPoints);
-  for (Index f = 0; f < triangles.rows(); ++f)
-  {
-    sets.unite(triangles(f, 0), triangles(f, 1));
-    sets.unite(triangles(f, 0), triangles(f, 2));
-  }
-  return sets;
+  return Vector3(std::sin(1.0 + number), std::sin(2.0 + 1.7 * number), std::sin(3.0 + 2.3 * number))
+    .normalized();
 }
 
-bool isOnePart(const Triangles& triangles, DisjointSets& sets)
+// Name each triangle's part by its first triangle.
+std::vector<int> partsOf(const GluedSurface& surface)
 {
-  for (Index f = 1; f < triangles.rows(); ++f)
+  DisjointSets sets(surface.numberOfTriangles());
+  for (int side = 0; side < surface.numberOfSides(); ++side)
   {
-    if (sets.find(triangles(f, 0)) != sets.find(triangles(0, 0)))
+    if (surface.Across[side] >= 0)
     {
-      return false;
+      sets.unite(side / 3, surface.Across[side] / 3);
     }
   }
-  return true;
-}
-
-UnionOfParts unchanged(const Triangles& triangles)
-{
-  UnionOfParts united;
-  united.Triangles = triangles;
-  united.NumberOfWholeTriangles = triangles.rows();
-  united.TriangleIds.resize(triangles.rows());
-  std::iota(united.TriangleIds.begin(), united.TriangleIds.end(), 0);
-  return united;
+  std::vector<int> parts(surface.TriangleIds.size());
+  for (int r = 0; r < surface.numberOfTriangles(); ++r)
+  {
+    parts[r] = sets.find(r);
+  }
+  return parts;
 }
 
 // Mesh whose parts are joined pair by pair.
 class PartsOfMesh
 {
 public:
-  // @param[in] sets  connected points
-  PartsOfMesh(const PointView& points, const Triangles& triangles, DisjointSets& sets)
-    : Size(static_cast<int>(points.size()))
+  // @param[in] surface  all glued triangles
+  // @param[in] parts  name of the part of each triangle
+  PartsOfMesh(
+    const GluedSurface& surface, const std::vector<int>& parts, const Triangles& triangles)
+    : Size(surface.numberOfVertices())
+    , PointIds(surface.PointIds)
+    , Positions(surface.Positions)
   {
-    for (int f = 0; f < static_cast<int>(triangles.rows()); ++f)
+    for (int r = 0; r < surface.numberOfTriangles(); ++r)
     {
-      this->Pieces.push_back({ { triangles(f, 0), triangles(f, 1), triangles(f, 2) }, f,
-        sets.find(triangles(f, 0)), true });
+      const Ids corners = { surface.from(3 * r), surface.from(3 * r + 1), surface.from(3 * r + 2) };
+      const int source = surface.TriangleIds[r];
+      const bool isTurned = surface.PointIds[corners[1]] != triangles(source, 1);
+      this->Pieces.push_back({ corners, source, parts[r], true, isTurned });
     }
-    // Points that no triangle uses can be infinite.
-    this->Positions.assign(points.size(), Vector3::Zero());
-    for (const Piece& piece : this->Pieces)
+    for (const Vector3& position : this->Positions)
     {
-      for (const int corner : piece.Corners)
-      {
-        this->Positions[corner] = points[corner];
-        this->Extent = std::max(this->Extent, points[corner].cwiseAbs().maxCoeff());
-      }
+      this->Extent = std::max(this->Extent, position.cwiseAbs().maxCoeff());
     }
-    this->findSolids();
+    this->findSolids(surface);
   }
 
   // Join disjoint pairs of parts that cross each other.
+  // @param[in] isFlush  whether to join parts that only cross if they are moved
   // @return whether there were any
-  bool joinSome(const Run& run)
+  bool joinSome(bool isFlush, const Run& run)
   {
     std::set<int> isBusy;
     bool isChanged = false;
-    for (const Pair& pair : this->crossingParts(run))
+    for (const Pair& pair : isFlush ? this->flushParts(run) : this->crossingParts(run))
     {
       if (isBusy.count(pair[0]) + isBusy.count(pair[1]) == 0)
       {
@@ -429,7 +430,9 @@ public:
     return isChanged;
   }
 
-  int numberOfSolids() const { return static_cast<int>(this->Solids.size()); }
+  int numberOfClosedParts() const { return static_cast<int>(this->Volumes.size()); }
+
+  Index numberOfPartsJoined() const { return this->NumberOfPartsJoined; }
 
   UnionOfParts result() const
   {
@@ -439,87 +442,70 @@ public:
     std::sort(sequence.begin(), sequence.end(),
       [](const Piece& a, const Piece& b)
       { return std::make_pair(!a.IsWhole, a.Source) < std::make_pair(!b.IsWhole, b.Source); });
-    united.AddedPoints.resize(static_cast<Index>(this->Positions.size()) - this->Size, 3);
-    for (Index i = 0; i < united.AddedPoints.rows(); ++i)
-    {
-      united.AddedPoints.row(i) = this->Positions[this->Size + i];
-    }
+    united.Positions = pointsOf(this->Positions);
+    united.PointIds = this->PointIds;
+    united.PointIds.resize(this->Positions.size(), GluedSurface::Added);
     united.Parents = this->Parents;
     united.Triangles = trianglesOf(sequence);
     for (const Piece& piece : sequence)
     {
       united.TriangleIds.push_back(piece.Source);
+      united.IsTurned.push_back(piece.IsTurned ? 1 : 0);
       united.NumberOfWholeTriangles += piece.IsWhole;
     }
     return united;
   }
 
 private:
-  // Find the parts that are closed, consistently oriented, and oriented as the part of largest
-  // volume.
-  void findSolids()
+  // Find the closed parts, and those of them that are oriented as the part of largest volume.
+  void findSolids(const GluedSurface& surface)
   {
-    std::map<int, double> volumes;
+    std::set<int> isOpen;
+    for (int side = 0; side < surface.numberOfSides(); ++side)
+    {
+      if (surface.Across[side] < 0)
+      {
+        isOpen.insert(this->Pieces[side / 3].Part);
+      }
+    }
     for (const Piece& piece : this->Pieces)
     {
-      const Ids& ids = piece.Corners;
-      volumes[piece.Part] +=
-        this->Positions[ids[0]].dot(this->Positions[ids[1]].cross(this->Positions[ids[2]]));
-    }
-    std::vector<Pair> edges; // directed edges of all triangles
-    const auto forEachEdge = [&](const auto& visit)
-    {
-      for (const Piece& piece : this->Pieces)
+      if (isOpen.count(piece.Part) == 0)
       {
-        for (int k = 0; k < 3; ++k)
-        {
-          visit(piece, piece.Corners[k], piece.Corners[next(k)]);
-        }
+        // Subtract a corner of the part: far from the origin, volumes about it are only noise.
+        const Vector3 origin = this->Positions[surface.from(3 * piece.Part)];
+        const Ids& ids = piece.Corners;
+        this->Volumes[piece.Part] +=
+          (this->Positions[ids[0]] - origin)
+            .dot((this->Positions[ids[1]] - origin).cross(this->Positions[ids[2]] - origin));
       }
-    };
-    forEachEdge([&](const Piece&, int from, int to) { edges.push_back({ from, to }); });
-    std::sort(edges.begin(), edges.end());
-    const auto count = [&](int from, int to)
-    {
-      const auto range = std::equal_range(edges.begin(), edges.end(), Pair{ from, to });
-      return range.second - range.first;
-    };
-    std::set<int> isOpen;
-    forEachEdge(
-      [&](const Piece& piece, int from, int to)
-      {
-        if (from == to || count(from, to) != 1 || count(to, from) != 1)
-        {
-          isOpen.insert(piece.Part);
-        }
-      });
+    }
     double largest = 0.0;
-    for (const auto& [part, volume] : volumes)
+    for (const auto& entry : this->Volumes)
     {
-      if (isOpen.count(part) == 0 && std::abs(volume) > std::abs(largest))
-      {
-        largest = volume;
-      }
+      largest = std::abs(entry.second) > std::abs(largest) ? entry.second : largest;
     }
-    for (const auto& [part, volume] : volumes)
+    for (const auto& [part, volume] : this->Volumes)
     {
-      if (isOpen.count(part) == 0 && volume * largest > 0.0)
+      if (volume * largest > 0.0)
       {
         this->Solids.insert(part);
       }
     }
   }
 
-  std::set<Pair> crossingParts(const Run& run) const
+  // Find pairs of closed parts that cross each other. At least one part of each pair is a solid.
+  std::set<Pair> crossingParts(const std::vector<Vector3>& positions, const Run& run) const
   {
-    std::vector<Piece> pieces; // of solids
+    std::vector<Piece> pieces; // of closed parts
     std::copy_if(this->Pieces.begin(), this->Pieces.end(), std::back_inserter(pieces),
-      [&](const Piece& piece) { return this->Solids.count(piece.Part) > 0; });
+      [&](const Piece& piece) { return this->Volumes.count(piece.Part) > 0; });
     std::set<Pair> crossing;
-    for (const Pair& pair : selfIntersections(pointsOf(this->Positions), trianglesOf(pieces), run))
+    for (const Pair& pair : selfIntersections(pointsOf(positions), trianglesOf(pieces), run))
     {
       const Pair both = sorted(pieces[pair[0]].Part, pieces[pair[1]].Part);
-      if (both[0] != both[1] && this->Failed.count(both) == 0)
+      if (both[0] != both[1] && this->Failed.count(both) == 0 &&
+        this->Solids.count(both[0]) + this->Solids.count(both[1]) > 0)
       {
         crossing.insert(both);
       }
@@ -527,34 +513,96 @@ private:
     return crossing;
   }
 
+  std::set<Pair> crossingParts(const Run& run) const
+  {
+    return this->crossingParts(this->Positions, run);
+  }
+
+  // Find pairs of parts that cross each other only if each part is moved by an offset of its own.
+  // Parts that merely touch, and copies of a part, are not among them.
+  std::set<Pair> flushParts(const Run& run) const
+  {
+    std::map<int, Eigen::AlignedBox3d> boxes;
+    std::map<int, int> numbers;
+    std::vector<Vector3> positions = this->Positions;
+    for (const Piece& piece : this->Pieces)
+    {
+      const int number =
+        numbers.emplace(piece.Part, static_cast<int>(numbers.size())).first->second;
+      for (const int corner : piece.Corners)
+      {
+        boxes[piece.Part].extend(Eigen::Vector3d(this->Positions[corner]));
+        positions[corner] = this->Positions[corner] + this->firstOffset() * directionOf(number);
+      }
+    }
+    std::set<Pair> flush;
+    for (const Pair& pair : this->crossingParts(positions, run))
+    {
+      if (this->overlapsBeyond(boxes[pair[0]], boxes[pair[1]]))
+      {
+        flush.insert(pair);
+      }
+    }
+    return flush;
+  }
+
+  // Return whether boxes overlap, each with some space outside of the other.
+  bool overlapsBeyond(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) const
+  {
+    const double least = 1e-6 * this->Extent;
+    const Eigen::AlignedBox3d common = a.intersection(b);
+    const auto extends = [&](const Eigen::AlignedBox3d& box)
+    { return (box.sizes() - common.sizes()).maxCoeff() > least; };
+    return common.sizes().minCoeff() > least && extends(a) && extends(b);
+  }
+
+  double firstOffset() const { return 1e-10 * this->Extent; }
+
   bool join(const Pair& parts, const Run& run)
   {
     constexpr int numberOfAttempts = 10;
+    for (const int part : parts)
+    {
+      this->turnUnlessSolid(part);
+    }
     double length = 0.0; // of the offset
     for (int attempt = 0; attempt < numberOfAttempts; ++attempt)
     {
-      const Vector3 direction = Vector3(
-        std::sin(1.0 + attempt), std::sin(2.0 + 1.7 * attempt), std::sin(3.0 + 2.3 * attempt))
-                                  .normalized();
       try
       {
-        Crossing crossing(this->Positions, this->Pieces, parts, length * direction);
+        Crossing crossing(this->Positions, this->Pieces, parts, length * directionOf(attempt));
         crossing.findSegments(run);
-        crossing.split();
-        this->replace(parts, crossing);
+        crossing.split(run);
+        this->replace(parts, crossing, run);
         return true;
       }
       catch (const NumericalFailure&)
       {
-        length = attempt == 0 ? 1e-10 * this->Extent : 2.5 * length;
+        length = attempt == 0 ? this->firstOffset() : 2.5 * length;
       }
     }
     return false;
   }
 
-  void replace(const Pair& parts, const Crossing& crossing)
+  // Turn a part that seemed to bound a cavity.
+  void turnUnlessSolid(int part)
   {
-    std::vector<Piece> kept = crossing.outside();
+    if (this->Solids.insert(part).second)
+    {
+      for (Piece& piece : this->Pieces)
+      {
+        if (piece.Part == part)
+        {
+          std::swap(piece.Corners[1], piece.Corners[2]);
+          piece.IsTurned = !piece.IsTurned;
+        }
+      }
+    }
+  }
+
+  void replace(const Pair& parts, const Crossing& crossing, const Run& run)
+  {
+    std::vector<Piece> kept = crossing.outside(run);
     for (const Piece& piece : this->Pieces)
     {
       if (piece.Part != parts[0] && piece.Part != parts[1])
@@ -571,19 +619,22 @@ private:
     }
     this->Pieces.swap(kept);
     this->Solids.erase(parts[1]);
+    this->Volumes.erase(parts[1]);
     ++this->NumberOfPartsJoined;
   }
 
   int originalPoint(int point) const
   {
-    return point < this->Size ? point : this->Parents[point - this->Size][0];
+    return point < this->Size ? this->PointIds[point] : this->Parents[point - this->Size][0];
   }
 
-  int Size; // number of points of the input
+  int Size;                  // number of vertices before joins
+  std::vector<int> PointIds; // of these vertices
   std::vector<Vector3> Positions;
   std::vector<Pair> Parents; // of added points
   std::vector<Piece> Pieces;
-  std::set<int> Solids;
+  std::map<int, double> Volumes; // of closed parts, times six
+  std::set<int> Solids;          // closed parts that do not bound cavities
   std::set<Pair> Failed;
   double Extent = 0.0;
   Index NumberOfPartsJoined = 0;
@@ -591,19 +642,41 @@ private:
 }
 
 //------------------------------------------------------------------------------
+UnionOfParts unchangedPart(const Triangles& triangles)
+{
+  UnionOfParts united;
+  united.Triangles = triangles;
+  united.NumberOfWholeTriangles = triangles.rows();
+  united.TriangleIds.resize(triangles.rows());
+  std::iota(united.TriangleIds.begin(), united.TriangleIds.end(), 0);
+  return united;
+}
+
+//------------------------------------------------------------------------------
 UnionOfParts uniteParts(const PointView& points, const Triangles& triangles, const Run& run)
 {
-  DisjointSets sets = connectedPoints(triangles, points.size());
-  if (isOnePart(triangles, sets))
+  constexpr double shareOfGluing = 0.5;
+  UnionOfParts united = unchangedPart(triangles);
+  GluingReport report;
+  const GluedSurface surface =
+    glueAllTriangles(points, triangles, report, run.part(0.0, shareOfGluing));
+  const std::vector<int> names = partsOf(surface);
+  if (std::all_of(names.begin(), names.end(), [](int name) { return name == 0; }))
   {
-    return unchanged(triangles);
+    return united;
   }
-  PartsOfMesh parts(points, triangles, sets);
+  PartsOfMesh parts(surface, names, triangles);
   // The number of joins is not known beforehand.
-  const Run watched = run.part(0.0, 0.0);
-  while (parts.numberOfSolids() > 1 && parts.joinSome(watched))
+  const Run watched = run.part(shareOfGluing, shareOfGluing);
+  while (parts.numberOfClosedParts() > 1 &&
+    (parts.joinSome(false, watched) || parts.joinSome(true, watched)))
   {
   }
-  return parts.result();
+  if (parts.numberOfPartsJoined() > 0)
+  {
+    united = parts.result();
+    united.Gluing = report;
+  }
+  return united;
 }
 }

@@ -161,4 +161,7 @@ TEST(HandleLoops, HaveTheSameBitsOnAnyThreads)
     EXPECT_EQ(one[i].Length, two[i].Length);
   }
   EXPECT_THROW(findHandleLoops(surface, lengths, runs::stoppingAt(0.5)), conformal::Aborted);
+  runs::Watch watch; // each candidate for a loop is reported
+  findHandleLoops(surface, lengths, watch.run());
+  EXPECT_GE(watch.calls(), 2 * numberOfHandles(surface) + 4);
 }

@@ -2,6 +2,7 @@
 
 #include "Base/NumericalFailure.h"
 #include "Base/Random.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -77,9 +78,11 @@ TEST(TriangleSplit, RecoversAClosedCurveAmongManyPoints)
     input.Positions.emplace_back(0.3 + radius * std::cos(turn), 0.3 + radius * std::sin(turn));
     input.Segments.push_back({ 3 + i, 3 + (i + 1) % size });
   }
-  const std::vector<Ids> parts = splitTriangle(input);
+  runs::Watch watch;
+  const std::vector<Ids> parts = splitTriangle(input, watch.run());
   expectSplit(input, parts);
   EXPECT_EQ(parts.size(), 2U * size + 1U);
+  EXPECT_GE(watch.calls(), 2 * size);
 }
 
 TEST(TriangleSplit, ReportsPointsOnSegments)
