@@ -419,7 +419,7 @@ class TestLandmarks(unittest.TestCase):
                 file.write("\n".join(lines))
             self.study("--landmarks", "landmarks.csv", "--overwrite")
             scores.append([float(row["mode1"]) for row in table(self.folder, "study", "scores.csv")])
-        np.testing.assert_allclose(np.abs(scores[1]), np.abs(scores[0]), atol=0.02)
+        np.testing.assert_allclose(np.abs(scores[1]), np.abs(scores[0]), atol=0.05)
 
     def test_landmarks_of_another_scan_are_refused(self):
         self.write_landmarks(self.ids)
