@@ -63,8 +63,8 @@ public:
   /// - The two vertices opposite the edge are not neighbors.
   bool canFlip(int a, int b) const;
 
-  /// Test whether a flip of the edge between a and b would make a loop of three edges that bounds no
-  /// triangle, see collapsePinches().
+  /// Test whether a flip of the edge between a and b would make a loop of three edges that bounds
+  /// no triangle, see collapsePinches().
   /// @pre canFlip(a, b)
   bool flipPinches(int a, int b) const;
 
