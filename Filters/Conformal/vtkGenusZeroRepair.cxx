@@ -7,6 +7,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
+#include "Mesh/MeshTopology.h"
 #include "Register/ResampleWeights.h"
 #include "Repair/GenusZeroRepair.h"
 
@@ -53,19 +54,11 @@ conformal::CoordinateFrame FrameOfUsedPoints(
 {
   conformal::Points copy;
   const conformal::PointView points = glue::ViewPoints(surface->GetPoints(), {}, copy);
-  std::vector<char> isUsed(points.size(), 0);
-  for (conformal::Index i = 0; i < triangles.size(); ++i)
+  const std::vector<int> ids = conformal::usedVertices(triangles, points.size());
+  conformal::Points used(static_cast<conformal::Index>(ids.size()), 3);
+  for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    isUsed[triangles.data()[i]] = 1;
-  }
-  conformal::Points used(std::count(isUsed.begin(), isUsed.end(), 1), 3);
-  conformal::Index next = 0;
-  for (conformal::Index i = 0; i < points.size(); ++i)
-  {
-    if (isUsed[i])
-    {
-      used.row(next++) = points[i];
-    }
+    used.row(static_cast<conformal::Index>(i)) = points[ids[i]];
   }
   return conformal::frameOf({ used });
 }

@@ -160,28 +160,15 @@ std::vector<double> spansOf(const Mesh& mesh, const std::vector<int>& parts)
   return spans;
 }
 
-// Sums over each connected part. Sums belong to the first vertex of the part.
-struct PartSums
+// Compute the area of each connected part. It belongs to the first vertex of the part.
+std::vector<double> areasOf(const std::vector<int>& parts, const Eigen::VectorXd& masses)
 {
-  Eigen::VectorXd Areas, Lengths, Sides; // area, length and number of the sides of triangles
-};
-
-PartSums sumsOf(const IntrinsicTriangulation& surface, const Eigen::VectorXd& masses)
-{
-  const Index size = masses.size();
-  PartSums result{ Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size),
-    Eigen::VectorXd::Zero(size) };
-  for (Index v = 0; v < size; ++v)
+  std::vector<double> areas(parts.size(), 0.0);
+  for (std::size_t v = 0; v < parts.size(); ++v)
   {
-    result.Areas[surface.Parts[v]] += masses[v];
+    areas[parts[v]] += masses[static_cast<Index>(v)];
   }
-  for (Index t = 0; t < surface.Triangles.rows(); ++t)
-  {
-    const int part = surface.Parts[surface.Triangles(t, 0)];
-    result.Lengths[part] += surface.Lengths.row(t).sum();
-    result.Sides[part] += 3.0;
-  }
-  return result;
+  return areas;
 }
 }
 
@@ -200,17 +187,18 @@ HeatDistances::HeatDistances(const Mesh& mesh, const Run& run)
   const std::vector<int>& parts = this->Surface.Parts;
   const auto size = static_cast<Index>(parts.size());
   const Equations equations = assemble(this->Surface, size);
-  const PartSums sums = sumsOf(this->Surface, equations.Masses);
+  const SidesOfParts sides = sidesOfParts(this->Surface);
+  const std::vector<double> areas = areasOf(parts, equations.Masses);
   const std::vector<double> spans = spansOf(fine, parts);
   // Parts can differ much in size. Each one has its own time of the heat flow.
   Eigen::VectorXd masses(size), shifts(size), times(size);
   for (Index v = 0; v < size; ++v)
   {
     const int part = parts[v];
-    const double area = sums.Areas[part];
+    const double area = areas[part];
     if (area > 0.0)
     {
-      const double edge = sums.Lengths[part] / sums.Sides[part];
+      const double edge = sides.Lengths[part] / sides.Counts[part];
       masses[v] = std::max(equations.Masses[v], 1e-7 * area / static_cast<double>(size));
       shifts[v] = Shift * masses[v] / area;
       times[v] = std::pow(std::max(edge, FinestTime * spans[part]), 2);

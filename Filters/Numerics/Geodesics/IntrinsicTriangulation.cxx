@@ -115,19 +115,15 @@ Points edgeLengths(const Mesh& mesh)
 // Lengthen all edges of a part if one of its triangles has almost no area.
 void lengthen(IntrinsicTriangulation& surface)
 {
-  const std::size_t size = surface.Parts.size();
-  std::vector<double> sums(size, 0.0), counts(size, 0.0), missing(size, 0.0);
+  const SidesOfParts sides = sidesOfParts(surface);
+  std::vector<double> missing(surface.Parts.size(), 0.0);
   const auto partOf = [&](Index t) { return surface.Parts[surface.Triangles(t, 0)]; };
-  for (Index t = 0; t < surface.Triangles.rows(); ++t)
-  {
-    sums[partOf(t)] += surface.Lengths.row(t).sum();
-    counts[partOf(t)] += 3.0;
-  }
   for (Index t = 0; t < surface.Triangles.rows(); ++t)
   {
     const int part = partOf(t);
     const double excess = surface.Lengths.row(t).sum() - 2.0 * surface.Lengths.row(t).maxCoeff();
-    missing[part] = std::max(missing[part], MinimumExcess * sums[part] / counts[part] - excess);
+    missing[part] =
+      std::max(missing[part], MinimumExcess * sides.Lengths[part] / sides.Counts[part] - excess);
   }
   for (Index t = 0; t < surface.Triangles.rows(); ++t)
   {
@@ -408,6 +404,20 @@ Vector3 cotangentsOf(const Vector3& lengths)
     result[k] = (squares[k] + squares[previous(k)] - squares[next(k)]) / (4.0 * area);
   }
   return result;
+}
+
+//------------------------------------------------------------------------------
+SidesOfParts sidesOfParts(const IntrinsicTriangulation& surface)
+{
+  const std::size_t size = surface.Parts.size();
+  SidesOfParts sides{ std::vector<double>(size, 0.0), std::vector<double>(size, 0.0) };
+  for (Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    const int part = surface.Parts[surface.Triangles(t, 0)];
+    sides.Lengths[part] += surface.Lengths.row(t).sum();
+    sides.Counts[part] += 3.0;
+  }
+  return sides;
 }
 
 //------------------------------------------------------------------------------

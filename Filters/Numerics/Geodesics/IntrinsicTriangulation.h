@@ -23,6 +23,15 @@ struct IntrinsicTriangulation
   std::vector<int> Parts; ///< connected part of each vertex: the smallest id of the part's vertices
 };
 
+/// Sides of the triangles of each connected part. Sums belong to the first vertex of the part.
+struct SidesOfParts
+{
+  std::vector<double> Lengths, Counts; ///< #V, total length and number of the sides
+};
+
+/// Sum the sides of the triangles of each connected part.
+SidesOfParts sidesOfParts(const IntrinsicTriangulation& surface);
+
 /// Return the intrinsic Delaunay triangulation of a mesh: both angles opposite an edge have a sum
 /// of at most pi, so that cotangent weights are not negative, \cite Bobenko2007. Edges are flipped
 /// within the surface until all have this property, \cite Fisher2007.

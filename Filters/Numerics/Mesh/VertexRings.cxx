@@ -28,6 +28,11 @@ Ring::iterator find(Ring& ring, int id)
 {
   return std::find(ring.begin(), ring.end(), id);
 }
+
+bool contains(const Ring& ring, int id)
+{
+  return std::find(ring.begin(), ring.end(), id) != ring.end();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -59,7 +64,7 @@ bool VertexRings::canCollapse(int v, int u) const
   std::size_t common = 0;
   for (int id : ring)
   {
-    common += std::find(other.begin(), other.end(), id) != other.end();
+    common += contains(other, id);
   }
   return common == 2;
 }
@@ -69,8 +74,6 @@ bool VertexRings::collapsePinches(int v, int u) const
 {
   const Ring& ring = this->Rings[v];
   const Ring& other = this->Rings[u];
-  const auto contains = [](const Ring& ids, int id)
-  { return std::find(ids.begin(), ids.end(), id) != ids.end(); };
   return std::any_of(ring.begin(), ring.end(),
     [&](int x)
     {
@@ -153,8 +156,7 @@ bool VertexRings::canFlip(int a, int b) const
     return false;
   }
   const auto [left, right] = this->across(a, b);
-  const Ring& ring = this->Rings[left];
-  return std::find(ring.begin(), ring.end(), right) == ring.end();
+  return !contains(this->Rings[left], right);
 }
 
 //------------------------------------------------------------------------------
@@ -163,9 +165,8 @@ bool VertexRings::flipPinches(int a, int b) const
   const auto [left, right] = this->across(a, b);
   const Ring& ring = this->Rings[left];
   const Ring& other = this->Rings[right];
-  return std::any_of(ring.begin(), ring.end(),
-    [&](int x)
-    { return x != a && x != b && std::find(other.begin(), other.end(), x) != other.end(); });
+  return std::any_of(
+    ring.begin(), ring.end(), [&](int x) { return x != a && x != b && contains(other, x); });
 }
 
 //------------------------------------------------------------------------------

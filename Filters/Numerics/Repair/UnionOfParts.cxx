@@ -415,7 +415,8 @@ public:
   {
     std::set<int> isBusy;
     bool isChanged = false;
-    for (const Pair& pair : isFlush ? this->flushParts(run) : this->crossingParts(run))
+    for (const Pair& pair :
+      isFlush ? this->flushParts(run) : this->crossingParts(this->Positions, run))
     {
       if (isBusy.count(pair[0]) + isBusy.count(pair[1]) == 0)
       {
@@ -511,11 +512,6 @@ private:
       }
     }
     return crossing;
-  }
-
-  std::set<Pair> crossingParts(const Run& run) const
-  {
-    return this->crossingParts(this->Positions, run);
   }
 
   // Find pairs of parts that cross each other only if each part is moved by an offset of its own.

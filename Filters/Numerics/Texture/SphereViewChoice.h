@@ -28,9 +28,8 @@ struct SphereViewOptions
   double Rotation = 0.0;
 };
 
-/// @throws std::invalid_argument if there are no triangles, or not every point has a position on
-/// the
-///   sphere
+/// Require that a surface has triangles, and a position on the sphere for each point.
+/// @throws std::invalid_argument
 void requireMap(const PointView& points, const Triangles& triangles, const Points& spherePositions);
 
 /// Choose the pole (middle) and the axes of an image for a view of the surface. The pole is the
