@@ -5,6 +5,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "SphereMap/GlobalConformalMap.h"
 #include "SphereMap/SheetMap.h"
 #include "TorusMap/ConformalTorusMap.h"
@@ -169,7 +170,7 @@ void AddSphereMap(vtkGlobalConformalMap* self, const conformal::GlobalConformalM
   int numberOfBorders, vtkPolyData* output)
 {
   RemoveOldResults(output);
-  glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map.Positions);
+  glue::ReplaceSpherePositions(output, map.Positions);
   if (numberOfBorders > 0)
   {
     glue::AddPlanePositions(

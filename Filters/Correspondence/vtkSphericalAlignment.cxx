@@ -6,6 +6,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Linear/EdgeWeights.h"
 #include "Measure/SphericalAlignment.h"
 
@@ -36,7 +37,8 @@ struct Pairs
 conformal::Points WholeMapOf(vtkPolyData* surface, const std::string& name)
 {
   conformal::Points map = glue::ToSpherePositions(surface);
-  if (map.col(2).minCoeff() >= 0.0)
+  constexpr double rounding = 1e-6; // of a border that is on the equator, in a map stored as floats
+  if (map.col(2).minCoeff() >= -rounding)
   {
     throw std::invalid_argument("the map of the " + name +
       " covers only the hemisphere z >= 0, as that of a sheet (a surface with a border); only maps "
@@ -171,7 +173,7 @@ int vtkSphericalAlignment::RequestData(
 
       steps.next();
       output->ShallowCopy(surface);
-      glue::AddVectors(output->GetPointData(), glue::SpherePositionName(), map);
+      glue::ReplaceSpherePositions(output, map);
       AddAlignment(output->GetFieldData(), result);
     });
 }

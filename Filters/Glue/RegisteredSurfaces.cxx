@@ -3,6 +3,7 @@
 #include "Glue/Arrays.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
+#include "Glue/SphereImages.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -162,7 +163,7 @@ conformal::Points PlacesOfAll(const SurfaceToRegister& moving, const conformal::
 void SetRegistration(vtkPolyData* surface, const conformal::Points& places,
   const conformal::SphericalRegistrationResult& result)
 {
-  AddVectors(surface->GetPointData(), SpherePositionName(), places);
+  ReplaceSpherePositions(surface, places);
   vtkFieldData* data = surface->GetFieldData();
   AddNumber(data, "RegistrationStretch", result.Stretch);
   AddNumber(data, "LandmarkError", result.LandmarkError);

@@ -116,6 +116,14 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
 }
 
 //------------------------------------------------------------------------------
+void ReplaceSpherePositions(vtkPolyData* surface, const conformal::Points& positions)
+{
+  AddVectors(surface->GetPointData(), SpherePositionName(), positions);
+  surface->GetPointData()->RemoveArray(TexturePositionName());
+  surface->GetFieldData()->RemoveArray(TextureAreaBalanceName());
+}
+
+//------------------------------------------------------------------------------
 conformal::Points ToTexturePositions(vtkPolyData* surface)
 {
   vtkDataArray* array = surface->GetPointData()->GetArray(TexturePositionName());

@@ -43,6 +43,10 @@ inline const char* TextureAreaBalanceName()
   return "TextureAreaBalance";
 }
 
+/// Set "SpherePosition" of a surface to another map, and remove the texture positions of the
+/// earlier map, so that vtkSphericalTextureMap does not reuse them.
+void ReplaceSpherePositions(vtkPolyData* surface, const conformal::Points& positions);
+
 /// Return the sphere positions by which a picture is placed on a surface: a copy of the point array
 /// "TexturePosition", or, without this array, of "SpherePosition". The copied vectors are
 /// normalized to unit length.

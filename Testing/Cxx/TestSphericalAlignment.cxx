@@ -3,6 +3,7 @@
 #include "FilterContract.h"
 #include "vtkGeodesicSphereSource.h"
 #include "vtkGlobalConformalMap.h"
+#include "vtkSphericalTextureMap.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -109,6 +110,18 @@ TEST_F(SphericalAlignment, WritesTheContractsArrays)
   EXPECT_EQ(output->GetPoints(), this->Surface->GetPoints());
   EXPECT_LT(this->Error(), 1e-12);
   EXPECT_LT(this->MaximumDifference(), 1e-12);
+}
+
+TEST_F(SphericalAlignment, RemovesTexturePositionsOfTheEarlierMap)
+{
+  vtkNew<vtkSphericalTextureMap> texture;
+  texture->SetInputData(this->Surface);
+  texture->SetAreaBalance(0.5);
+  this->Filter->SetInputConnection(texture->GetOutputPort());
+  this->Filter->Update();
+  ASSERT_TRUE(texture->GetOutput()->GetPointData()->HasArray("TexturePosition"));
+  EXPECT_FALSE(this->Filter->GetOutput()->GetPointData()->HasArray("TexturePosition"));
+  EXPECT_FALSE(this->Filter->GetOutput()->GetFieldData()->HasArray("TextureAreaBalance"));
 }
 
 TEST_F(SphericalAlignment, TurnsTheMapBackByTheSurfaces)
@@ -259,7 +272,7 @@ TEST_F(SphericalAlignment, SurfacesWithoutAMapAreRefused)
   this->ExpectRefused("zero or not finite");
 }
 
-// The map of a sheet is the hemisphere z >= 0.
+// The map of a sheet is the hemisphere z >= 0, here with the rounding of floats.
 TEST_F(SphericalAlignment, SheetsAreRefused)
 {
   vtkNew<vtkPolyData> sheet;
@@ -267,7 +280,7 @@ TEST_F(SphericalAlignment, SheetsAreRefused)
   vtkDataArray* map = sheet->GetPointData()->GetArray("SpherePosition");
   for (vtkIdType i = 0; i < map->GetNumberOfTuples(); ++i)
   {
-    map->SetComponent(i, 2, std::abs(map->GetComponent(i, 2)));
+    map->SetComponent(i, 2, std::abs(map->GetComponent(i, 2)) - 5e-8);
   }
   this->Filter->SetInputData(sheet);
   this->ExpectRefused("the map of the surface covers only the hemisphere");

@@ -7,7 +7,6 @@ import typing
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from conformalsom import vtkBodyMapImage, vtkSphericalTimeSeries, vtkSurfaceLayers, vtkTIFFStackWriter
 
@@ -279,7 +278,7 @@ def stack_of(pixels, spacing):
 def write_all(task, options, steps, maps, series, kept, unit):
     """Write all files, the stack of maps last."""
     for k in kept if options.surfaces else []:
-        writer = vtkXMLPolyDataWriter()
+        writer = outputs.writer_of(options.surface_files[k], painted=False)
         writer.SetInputData(maps.surfaces[k])
         outputs.write(steps, writer, options.surface_files[k], task.token, options.overwrite)
     if options.table:

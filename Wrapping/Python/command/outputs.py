@@ -81,6 +81,9 @@ def writer_of(path, painted):
     writer = PLAIN[extension]()
     if isinstance(writer, (vtkPolyDataWriter, vtkSTLWriter)):
         writer.SetFileTypeToBinary()
+    if isinstance(writer, vtkXMLPolyDataWriter):
+        writer.SetCompressionLevel(1)  # coordinates are as large at level 5, which takes 1.5 times as long
+        writer.SetEncodeAppendedData(False)  # as in ParaView's files: base64 adds a third
     return writer
 
 

@@ -9,7 +9,6 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkWarpVector
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import conformalsom
 
@@ -120,7 +119,7 @@ class Results:
 
     def surface(self, name, surface):
         """Write a surface."""
-        writer = vtkXMLPolyDataWriter() if name.endswith(".vtp") else outputs.writer_of(name, painted=False)
+        writer = outputs.writer_of(name, painted=False)
         writer.SetInputData(surface)
         outputs.write(self.steps, writer, self.path(name))
 

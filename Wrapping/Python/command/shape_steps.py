@@ -10,7 +10,7 @@ import typing
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import conformalsom
 from conformalsom import (
@@ -67,7 +67,7 @@ def step_of(kind, scan, sources, work, *settings, landmarks=()):
 def make(step, options, _, steps):
     """Do a step; returns an entry of a report, and no table."""
     result = {"map": mapped, "register": registered, "mean": mean}[step.kind](step, options, steps)
-    writer = vtkXMLPolyDataWriter()
+    writer = outputs.writer_of(step.file, painted=False)
     writer.SetInputData(result)
     outputs.write(steps, writer, step.file, step.token)
     entry = {"Scan": step.scan, "Surface": {"NumberOfPoints": result.GetNumberOfPoints()}, "Seconds": steps.seconds,
