@@ -290,11 +290,11 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
 }
 
 // Warn if the map of a solid object is not conformal.
-void WarnOfMap(vtkConformalSOM* self, const conformal::ConformalSOMResult& result, bool isSolid)
+void WarnOfMap(vtkConformalSOM* self, const conformal::ConformalSOMResult& result)
 {
   // Meshes of clean scans have a mean of 1.2 or less, and a maximum of 70 or less.
   constexpr double tolerated = 1.3, toleratedMaximum = 100.0;
-  if (!isSolid || !result.HasConformalMap)
+  if (!result.HasConformalMap)
   {
     return;
   }
@@ -302,9 +302,9 @@ void WarnOfMap(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   if (!result.ConformalMapFits)
   {
     vtkWarningWithObjectMacro(
-      self, << "limbs are too long for a conformal map in double precision; "
-               "SpherePosition is one to one, but its mean quasi-conformal "
-               "error is "
+      self, << "no conformal map was found, since limbs are too long for double precision, or "
+               "triangles are thin or folded; SpherePosition is one to one, but its mean "
+               "quasi-conformal error is "
             << error << ", where 1 is conformal");
   }
   else if (error > tolerated || maximum > toleratedMaximum)
@@ -337,7 +337,8 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   {
     glue::WarnOfUnusedNormals(self);
   }
-  if (result.Noise > muchNoise)
+  // Few points lie off the planes of their neighbors, also without noise.
+  if (result.Noise > muchNoise && size >= conformal::MinimumEvaluated)
   {
     vtkWarningWithObjectMacro(self,
       << "the points have noise of about " << 100.0 * result.Noise
@@ -367,13 +368,18 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   {
     glue::WarnOfPointsApart(self, apart, size);
   }
+  if (samples.dimension() < 3)
+  {
+    return; // another warning says that the mesh is flat. It is folded at the rim, and its sides
+            // meet
+  }
   if (result.UnsupportedFraction > 0.002)
   {
     vtkWarningWithObjectMacro(self, << 100.0 * result.UnsupportedFraction
                                     << " % of the mesh area has no points nearby (holes in the "
                                        "data, or gaps between limbs). See array Supported");
   }
-  WarnOfMap(self, result, samples.dimension() == 3);
+  WarnOfMap(self, result);
   if (result.SelfIntersections > 0)
   {
     vtkWarningWithObjectMacro(
@@ -385,7 +391,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   WarnAbout(self, conformal::withoutLeftOut(result.Quality, result.NumberOfSamplesOutside, size));
 }
 
-// Warn of parts of the object that the border leaves out.
+// Warn of parts of the object that the border leaves out, and of a border that is missing.
 void WarnOfBorder(
   vtkConformalSOM* self, const conformal::BorderReport& result, conformal::Border border)
 {
@@ -394,6 +400,12 @@ void WarnOfBorder(
   {
     vtkWarningWithObjectMacro(self, << "the points have no border that can be followed; the "
                                        "surface stays closed. See array Supported");
+  }
+  else if (result.NumberOfBorders == 0 && border == conformal::Border::Open)
+  {
+    vtkWarningWithObjectMacro(self, << "Border OPEN has no effect; the surface stays closed, since "
+                                       "the points have no hole, lie in one plane, or are too few, "
+                                       "or learning started from the input's polygons");
   }
   if (result.NumberOfBorders > 0 && border == conformal::Border::Automatic)
   {

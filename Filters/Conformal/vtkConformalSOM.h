@@ -530,6 +530,8 @@ public:
    * border curves: smoothing splines that are fitted to the outermost points. If the sheet consists
    * of several parts, the largest is kept, with a warning. If the polygons of the input form a
    * closed surface from which learning starts, the mesh is CLOSED with AUTOMATIC_BORDER and OPEN.
+   * It is also CLOSED if the points have no hole, lie in one plane, or are too few. With OPEN, a
+   * warning says that there is no border.
    */
   vtkSetClampMacro(Border, int, AUTOMATIC_BORDER, OPEN);
   vtkGetMacro(Border, int);

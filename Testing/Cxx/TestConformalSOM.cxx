@@ -5,8 +5,10 @@
 #include "vtkConformalPLYReader.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCleanPolyData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkConformalDistortion.h"
+#include "vtkCubeSource.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkGenusZeroCheck.h"
@@ -329,6 +331,52 @@ TEST(ConformalSOM, StartsFromItsOwnPolygonsWhereTheyAreClosed)
   more->GetPointData()->Initialize();
   more->GetPoints()->InsertNextPoint(closed->GetPoint(0));
   learned(more, vtkConformalSOM::AUTOMATIC, false);
+}
+
+// Edges are thirty times as long as those of the learned mesh, and eight corners are too few to
+// evaluate it.
+TEST(ConformalSOM, LearnsFromCoarsePolygons)
+{
+  vtkNew<vtkCubeSource> box;
+  box->SetXLength(4.0);
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputConnection(box->GetOutputPort());
+  clean->Update();
+  auto filter = MakeFilter(clean->GetOutput());
+  filter->SetNumberOfNeurons(1000);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning()) << observed.WarningMessage();
+  EXPECT_EQ(Figure(filter, "StartedFromMesh"), 1.0);
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(filter->GetOutput());
+  EXPECT_NEAR(mass->GetVolume(), 4.0, 0.1);
+}
+
+TEST(ConformalSOM, FewPointsGiveAWarning)
+{
+  vtkNew<vtkPolyData> cloud;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 8; ++i)
+  {
+    points->InsertNextPoint(i % 2, i / 2 % 2, i / 4); // NOLINT(bugprone-integer-division)
+  }
+  cloud->SetPoints(points);
+  auto filter = MakeFilter(cloud);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_NE(observed.WarningMessage().find("too few for the object's details"), std::string::npos)
+    << observed.WarningMessage();
+}
+
+TEST(ConformalSOM, SaysThatClosedScansHaveNoBorder)
+{
+  auto filter = MakeFilter(MakeCloud(1000));
+  filter->SetBorderToOpen();
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_NE(observed.WarningMessage().find("Border OPEN has no effect"), std::string::npos)
+    << observed.WarningMessage();
 }
 
 // As STL files have it: each triangle with points of its own.
@@ -718,6 +766,8 @@ TEST(ConformalSOM, FlatCloudsGiveAWarningAndAFiniteMesh)
     EXPECT_NE(observed.WarningMessage().find(
                 std::array<const char*, 3>{ "all equal", "collinear", "coplanar" }[rank]),
       std::string::npos);
+    EXPECT_EQ(observed.WarningMessage().find("neurons"), std::string::npos)
+      << observed.WarningMessage();
     EXPECT_LE(rank, 2);
   }
 }

@@ -248,11 +248,12 @@ BorderCurve fitBorder(
   for (int round = 0; round < Rounds; ++round)
   {
     const double length = lengthOf(curve.Positions);
-    const Index count = std::min(static_cast<Index>(length / points.Spacing), maximumNodes);
-    if (count < MinimumNodes)
+    const double nodes = std::min(length / points.Spacing, static_cast<double>(maximumNodes));
+    if (!(nodes >= static_cast<double>(MinimumNodes)))
     {
       break;
     }
+    const auto count = static_cast<Index>(nodes);
     const double step = length / static_cast<double>(count);
     const double reach = round < CoarseRounds ? coarse : std::min(fine, coarse);
     curve = onSurface(resampled(curve.Positions, count), surface, run);

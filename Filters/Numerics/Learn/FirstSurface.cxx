@@ -3,6 +3,7 @@
 #include "Learn/Batch/BatchTraining.h"
 #include "Learn/Fit/SurfaceSupport.h"
 #include "Mesh/GenusZeroCheck.h"
+#include "Mesh/VertexNormals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -165,11 +166,11 @@ FirstSurface firstSurfaceFromMesh(
   return first;
 }
 
-Points withPointsBetween(const Mesh& surface, Index wanted)
+OrientedPoints withPointsBetween(const Mesh& surface, Index wanted)
 {
   const double share =
     surfaceArea(surface.Positions, surface.Triangles) / static_cast<double>(wanted);
-  std::vector<double> between;
+  std::vector<double> between, normals;
   for (Index r = 0; r < surface.Triangles.rows(); ++r)
   {
     const Vector3 a = surface.Positions.row(surface.Triangles(r, 0)),
@@ -177,10 +178,12 @@ Points withPointsBetween(const Mesh& surface, Index wanted)
                   ac = Vector3(surface.Positions.row(surface.Triangles(r, 2))) - a;
     // Divide the triangle into n^2 equal triangles, and add the center of each.
     const int n = static_cast<int>(std::sqrt(0.5 * ab.cross(ac).norm() / share));
+    const Vector3 normal = ab.cross(ac).stableNormalized();
     const auto add = [&](double u, double v)
     {
       const Vector3 x = a + u / n * ab + v / n * ac;
       between.insert(between.end(), x.data(), x.data() + 3);
+      normals.insert(normals.end(), normal.data(), normal.data() + 3);
     };
     for (int i = 0; i < n; ++i)
     {
@@ -195,8 +198,11 @@ Points withPointsBetween(const Mesh& surface, Index wanted)
     }
   }
   const auto count = static_cast<Index>(between.size()) / 3;
-  Points points(surface.Positions.rows() + count, 3);
-  points << surface.Positions, Eigen::Map<const Points>(between.data(), count, 3);
+  const Index size = surface.Positions.rows() + count;
+  OrientedPoints points = { Points(size, 3), Points(size, 3) };
+  points.Positions << surface.Positions, Eigen::Map<const Points>(between.data(), count, 3);
+  points.Normals << vertexNormals(surface.Positions, surface.Triangles),
+    Eigen::Map<const Points>(normals.data(), count, 3);
   return points;
 }
 }

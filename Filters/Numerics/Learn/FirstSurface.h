@@ -10,6 +10,7 @@
 
 #include "Base/Run.h"
 #include "Base/Types.h"
+#include "Cloud/CloudThinning.h"
 #include "Cloud/TrainingSamples.h"
 #include "Learn/ConformalSOMOptions.h"
 #include "Learn/Fit/AdaptiveFit.h"
@@ -67,10 +68,10 @@ FirstSurface firstSurfaceFromMesh(
 /// @throws std::invalid_argument
 void requireNear(const Points& mesh);
 
-/// Return the vertices of a surface, followed by evenly spaced points on its large triangles. A
-/// triangle is large if its area is at least the surface area divided by `wanted`.
+/// Return the vertices of a surface, followed by evenly spaced points on its large triangles, with
+/// normals. A triangle is large if its area is at least the surface area divided by `wanted`.
 /// @param[in] wanted  approximate maximum number of added points
-Points withPointsBetween(const Mesh& surface, Index wanted);
+OrientedPoints withPointsBetween(const Mesh& surface, Index wanted);
 }
 
 #endif

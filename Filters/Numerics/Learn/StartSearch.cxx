@@ -9,7 +9,6 @@
 #include "Learn/Fit/SurfaceQuality.h"
 #include "Learn/Fit/VertexSupport.h"
 #include "Mesh/GeodesicSphere.h"
-#include "Mesh/VertexNormals.h"
 #include "Search/TriangleTree.h"
 
 #include <algorithm>
@@ -70,18 +69,19 @@ bool isFirst(const TrainingSamples& samples)
   return samples.size() > 0 && samples.firstOfTotal() == 0;
 }
 
-/// Evaluate a surface, in the samples' unit, by the vertices and normals of the samples' own mesh.
-/// The samples themselves may be corners of separate polygons, so that many samples coincide.
+/// Evaluate a surface, in the samples' unit, by points and normals of the samples' own mesh. The
+/// samples themselves may be corners of separate polygons, so that many samples coincide, or few
+/// corners of large polygons.
 SurfaceQuality evaluateByMesh(const ConformalSOMResult& result, const TrainingSamples& samples,
-  const MappedMesh& mesh, const Run& run)
+  const OrientedPoints& dense, const Run& run)
 {
-  const Points normals = vertexNormals(mesh.Positions, mesh.Triangles);
   const bool here = isFirst(samples);
-  TrainingSamples vertices(
-    here ? PointView(mesh.Positions) : PointView(), {}, {}, samples.reduce());
-  vertices.setNormals(here ? PointView(normals) : PointView());
-  return evaluateSurface(vertices, moved(result.Positions, samples, vertices), result.Triangles,
-    result.Noise * samples.scale() / vertices.scale(), run);
+  TrainingSamples points(here ? PointView(dense.Positions) : PointView(), {}, {}, samples.reduce());
+  points.setNormals(here ? PointView(dense.Normals) : PointView());
+  SurfaceQuality quality = evaluateSurface(points, moved(result.Positions, samples, points),
+    result.Triangles, result.Noise * samples.scale() / points.scale(), run);
+  quality.LayerDistance *= points.scale() / samples.scale();
+  return quality;
 }
 
 /// Compute the defect score of a surface, to be compared with that of another surface. The area
@@ -311,6 +311,8 @@ private:
         supportOfVertices(samples, result.Positions, result.Triangles, run.unwatched());
       return result;
     };
+    const OrientedPoints dense = withPointsBetween(
+      *this->Mesh, this->Options.Batch.SamplesPerNeuron * this->Options.NumberOfNeurons);
     ConformalSOMResult result;
     if (this->Samples.weighted() || !this->IsSolid)
     {
@@ -318,10 +320,9 @@ private:
     }
     else
     {
-      const Points dense = withPointsBetween(
-        *this->Mesh, this->Options.Batch.SamplesPerNeuron * this->Options.NumberOfNeurons);
       const TrainingSamples denser(
-        isFirst(this->Samples) ? PointView(dense) : PointView(), {}, {}, this->Samples.reduce());
+        isFirst(this->Samples) ? PointView(dense.Positions) : PointView(), {}, {},
+        this->Samples.reduce());
       result = learn(denser);
       result.Positions = moved(std::move(result.Positions), denser, this->Samples);
       const double ratio = denser.scale() / this->Samples.scale();
@@ -331,7 +332,7 @@ private:
         error *= ratio;
       }
     }
-    result.Quality = evaluateByMesh(result, this->Samples, *this->Mesh, run.unwatched());
+    result.Quality = evaluateByMesh(result, this->Samples, dense, run.unwatched());
     return result;
   }
 

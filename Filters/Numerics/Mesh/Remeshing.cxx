@@ -22,6 +22,7 @@ constexpr Index BlockSize = 512;
 // Limits of edge lengths, divided by the target length. Their ratio is large enough that no edge is
 // split and collapsed again and again.
 constexpr double LongestEdge = 4.0 / 3.0, ShortestEdge = 4.0 / 5.0;
+constexpr double CoarseEdge = 8.0;    // longest edge of a coarse mesh, divided by the target length
 constexpr double MinimumCosine = 0.5; // minimum cosine of the rotation of a triangle's normal
 // Minimum quality of a triangle after a collapse; 1 if equilateral
 constexpr double MinimumQuality = 0.05;
@@ -88,15 +89,31 @@ public:
     return std::sqrt(2.0 * area / (std::sqrt(3.0) * static_cast<double>(numberOfVertices)));
   }
 
+  /// Return the length of the longest edge.
+  double longestEdge() const
+  {
+    double square = 0.0;
+    for (int a = 0; a < this->Rings.size(); ++a)
+    {
+      for (const int b : this->Rings[a])
+      {
+        square = std::max(square, (this->place(a) - this->place(b)).squaredNorm());
+      }
+    }
+    return std::sqrt(square);
+  }
+
   /// Split edges longer than a limit, the longest first, until the mesh has the given number of
   /// vertices.
-  void split(double limit, Index maximum = std::numeric_limits<Index>::max())
+  /// @param[in] longestOnly  split only edges that are the longest of both triangles. Edges much
+  ///   longer than the limit are divided in many rounds, and others would leave slivers.
+  void split(double limit, Index maximum, bool longestOnly)
   {
     const double squareLimit = limit * limit;
     const auto proposed = [&](int a, int b, Operation& operation)
     {
       operation.Priority = (this->place(a) - this->place(b)).squaredNorm();
-      return operation.Priority > squareLimit;
+      return operation.Priority > squareLimit && (!longestOnly || this->isLongest(a, b));
     };
     this->perform(
       proposed,
@@ -261,6 +278,21 @@ private:
       v = vertices[v];
     }
     return sorted;
+  }
+
+  /// Test whether an edge is the longest of its two triangles, up to rounding.
+  bool isLongest(int a, int b) const
+  {
+    constexpr double rounding = 1e-7;
+    const Vector3 pa = this->place(a), pb = this->place(b);
+    const auto across = this->Rings.across(a, b);
+    double others = 0.0;
+    for (const int c : { across.Left, across.Right })
+    {
+      const Vector3 pc = this->place(c);
+      others = std::max({ others, (pc - pa).squaredNorm(), (pc - pb).squaredNorm() });
+    }
+    return (pa - pb).squaredNorm() >= (1.0 - rounding) * others;
   }
 
   Vector3 place(int v) const { return this->Places.row(v); }
@@ -570,10 +602,12 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
   Steps steps(run, sharesOf(options));
   Remesher remesher(mesh.Positions, mesh.Triangles, run);
   double length = remesher.lengthFor(wanted);
+  const bool isCoarse = remesher.longestEdge() > CoarseEdge * length;
   for (int iteration = 0; iteration < options.NumberOfIterations; ++iteration)
   {
     remesher.reportTo(steps.next());
-    remesher.split(LongestEdge * length, std::max(remesher.count(), MaximumSplit * wanted));
+    remesher.split(
+      LongestEdge * length, std::max(remesher.count(), MaximumSplit * wanted), isCoarse);
     remesher.reportTo(steps.next());
     remesher.collapse(ShortestEdge * length, LongestEdge * length);
     remesher.reportTo(steps.next());
@@ -590,7 +624,7 @@ void remesh(Mesh& mesh, const RemeshingOptions& options, const Run& run)
     remesher.collapse(any, any, wanted);
     remesher.collapse(any, any, wanted, true); // for strongly folded surfaces
     remesher.reportTo(steps.next());
-    remesher.split(0.0, wanted);
+    remesher.split(0.0, wanted, false);
     for (int i = 0; i < FinalSmoothings; ++i)
     {
       remesher.reportTo(steps.next());

@@ -202,8 +202,9 @@ TEST(StartSearch, SeparatesHandlesOfTheObjectFromThoseOfTheHull)
 TEST(StartSearch, SpreadsPointsEvenly)
 {
   const Mesh surface = box();
-  EXPECT_EQ(conformal::withPointsBetween(surface, 11).rows(), 8); // 12 triangles, all as large
-  const conformal::Points points = conformal::withPointsBetween(surface, 1201);
+  EXPECT_EQ(
+    conformal::withPointsBetween(surface, 11).Positions.rows(), 8); // 12 triangles, all as large
+  const conformal::Points points = conformal::withPointsBetween(surface, 1201).Positions;
   ASSERT_EQ(points.rows(), 8 + 12 * 100);
   EXPECT_EQ(points.topRows(8), surface.Positions);
   EXPECT_NEAR(points.colwise().mean().norm(), 0.0, 1e-12);

@@ -33,6 +33,25 @@ Surface ellipsoid(int frequency, const Vector3& axes)
   return { sphere.Positions * axes.asDiagonal(), sphere.Triangles };
 }
 
+Surface cone(int sides)
+{
+  Surface surface;
+  surface.Positions.resize(sides + 1, 3);
+  surface.Positions.row(0) << 0.0, 0.0, 2.0;
+  surface.Triangles.resize(2 * sides - 2, 3);
+  for (int i = 0; i < sides; ++i)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * i / sides;
+    surface.Positions.row(i + 1) << 0.5 * std::cos(angle), 0.5 * std::sin(angle), 0.0;
+    surface.Triangles.row(i) << 0, i + 1, (i + 1) % sides + 1;
+    if (i + 2 < sides)
+    {
+      surface.Triangles.row(sides + i) << 1, i + 3, i + 2;
+    }
+  }
+  return surface;
+}
+
 RemeshingOptions exactly(Index count)
 {
   RemeshingOptions options;
@@ -114,6 +133,28 @@ TEST(Remeshing, StaysOnTheSurface)
   EXPECT_NEAR(conformal::signedVolume(surface.Positions, surface.Triangles) /
       conformal::signedVolume(original.Positions, original.Triangles),
     1.0, 0.02);
+}
+
+// Edges of these surfaces are up to fifty times as long as those of the result.
+TEST(Remeshing, DividesCoarseMeshesWithoutSlivers)
+{
+  const auto check = [](const Surface& original)
+  {
+    Surface surface = original;
+    remesh(surface, exactly(2562));
+    EXPECT_EQ(surface.Positions.rows(), 2562);
+    EXPECT_NEAR(conformal::signedVolume(surface.Positions, surface.Triangles) /
+        conformal::signedVolume(original.Positions, original.Triangles),
+      1.0, 0.02);
+    Index slivers = 0;
+    for (Index r = 0; r < surface.Triangles.rows(); ++r)
+    {
+      slivers += minimumAngle(surface, r) < 5.0;
+    }
+    EXPECT_EQ(slivers, 0);
+  };
+  check(cone(3));
+  check(cone(32));
 }
 
 TEST(Remeshing, DoesNotDependOnTheOrderOfBlocks)

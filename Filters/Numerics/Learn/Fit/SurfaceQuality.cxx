@@ -26,7 +26,6 @@ namespace conformal
 namespace
 {
 constexpr double EvaluatedSamples = 10000.0;
-constexpr Index MinimumSamples = 20; // minimum for an evaluation
 constexpr Index BlockSize = 256;
 
 // Wide enough that two sides of a surface through one set of samples cancel.
@@ -341,8 +340,9 @@ SurfaceQuality evaluateSurface(const TrainingSamples& samples, const Points& pos
   quality.FoldedFraction = foldedFraction(positions, triangles);
   const OrientedPoints asked = selectSamples(samples, EvaluatedSamples);
   const Index size = asked.Positions.rows();
-  if (size < MinimumSamples || samples.dimension() < 3)
+  if (size < MinimumEvaluated || samples.dimension() < 3)
   {
+    quality.UndersampledFraction = samples.dimension() < 3 ? 0.0 : 1.0;
     return quality;
   }
   Steps steps(run, { 0.15, 0.85 }); // foot points, winding numbers

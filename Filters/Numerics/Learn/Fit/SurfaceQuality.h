@@ -38,6 +38,10 @@ struct ToleratedQuality
                           FoldedFraction = 0.0005;
 };
 
+/// Minimum number of samples for all fractions but FoldedFraction. With fewer samples of a solid,
+/// UndersampledFraction is 1, and the others are 0.
+constexpr Index MinimumEvaluated = 20;
+
 /// Evaluate a closed surface by the samples from which it was learned. All distances are in the
 /// samples' unit (maximum radius 1).
 ///
