@@ -37,8 +37,9 @@
  * - "RootMeanSquareCurvatureError": root mean square difference of the mean curvatures of model and
  *   reference. At up to 6000 of the random samples, the mean curvature is averaged over a disk of
  *   each surface, see the property CurvatureRadius. A curvature of 1 is that of a sphere of the
- *   radius LengthUnit. The value is in units of 1 / LengthUnit. If the reference has no polygons,
- *   this array does not exist.
+ *   radius LengthUnit. The value is in units of 1 / LengthUnit. Before, border points with equal
+ *   coordinates are merged, and triangles are oriented consistently. If the reference has no
+ *   polygons, this array does not exist.
  * - "WebFraction": fraction of the model's area that is farther from the reference than 0.02. This
  *   distance is in the unit selected by the property LengthUnit.
  * - "LengthUnit": length of the unit that the property LengthUnit selects, in units of the

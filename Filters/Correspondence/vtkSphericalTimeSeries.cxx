@@ -223,9 +223,12 @@ public:
     if (isBetween)
     {
       const conformal::MovingSurface& later = this->Used[place.Second].Moving;
+      // Very close to a time step, quotients of differences would have no digits.
+      const double fraction = std::clamp(place.Fraction, 1e-6, 1.0 - 1e-6);
       conformal::MovingSurface between = step.Moving;
+      between.Time += fraction * (later.Time - step.Moving.Time);
       between.Surface.Positions =
-        conformal::positionsBetween(step.Moving.Surface, later.Surface, place.Fraction);
+        conformal::positionsBetween(step.Moving.Surface, later.Surface, fraction);
       motion = conformal::computeMotion(step.Moving, between, later);
       this->SetPositions(step, between.Surface.Positions, output);
     }

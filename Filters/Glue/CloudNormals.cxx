@@ -27,6 +27,21 @@ std::int64_t CountUsed(const conformal::Triangles& triangles, vtkIdType numberOf
   }
   return std::count(used.begin(), used.end(), true);
 }
+
+// Drop triangles with a corner that is not finite, which have no normal.
+void DropInfinite(const conformal::Points& points, conformal::Triangles& triangles)
+{
+  conformal::Index kept = 0;
+  for (conformal::Index r = 0; r < triangles.rows(); ++r)
+  {
+    if (points.row(triangles(r, 0)).allFinite() && points.row(triangles(r, 1)).allFinite() &&
+      points.row(triangles(r, 2)).allFinite())
+    {
+      triangles.row(kept++) = triangles.row(r);
+    }
+  }
+  triangles.conservativeResize(kept, 3);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -57,8 +72,8 @@ void FindNormals(vtkPointSet* input, const conformal::CoordinateFrame& frame,
   }
   conformal::orientConsistently(triangles);
   conformal::Points points = ToPoints(input->GetPoints(), frame);
-  // Replace coordinates that are not finite by 0, so that they do not affect normals of other
-  // points. Points with such coordinates are left out later.
+  DropInfinite(points, triangles);
+  // Points with coordinates that are not finite are left out later.
   points = points.array().isFinite().select(points, 0.0);
   normals.Copy = conformal::vertexNormals(points, triangles);
   normals.View = normals.Copy;

@@ -45,6 +45,13 @@ std::vector<int> ReadLabels(vtkImageData* image, const std::string& name)
         ? "the image of labels has no active point scalars; set ArrayName"
         : "the image of labels has no point array " + name);
   }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument("the array of labels has " +
+      std::to_string(array->GetNumberOfComponents()) +
+      " components, as a color picture; save the labels as a picture of one channel, or set "
+      "ArrayName to an array with one component");
+  }
   std::vector<int> labels(array->GetNumberOfTuples());
   for (std::size_t i = 0; i < labels.size(); ++i)
   {

@@ -12,9 +12,9 @@
  * and strips are treated as triangles.
  *
  * Input port 1: vtkImageData, the labels: whole numbers in the pixels of the map, which must fill
- * the image. The label 0 is the background. If the array has several components, the first is
- * used. To read a TIFF file that vtkTIFFStackWriter has written
- * with YAxis UP, use vtkTIFFStackReader with UP.
+ * the image. The label 0 is the background. The array has one component; color pictures are
+ * rejected. To read a TIFF file that vtkTIFFStackWriter has written with YAxis UP, use
+ * vtkTIFFStackReader with UP.
  *
  * Output port 0: vtkPolyData, the surface with
  * - point array "Label" (int): label of the pixel that shows the point; 0 outside of the map.
@@ -33,13 +33,14 @@
  *   it by a line of one background pixel.
  *
  * For the area, triangles of the surface are divided until each part is in one label or smaller
- * than an eighth of a pixel. Perimeters are by the Crofton formula with four directions, which has
+ * than an eighth of a pixel. Perimeters are by the Crofton formula with eight directions, which has
  * no bias from the steps of pixels (D. Legland, K. Kieu, M.-F. Devaux, "Computation of Minkowski
  * measures on 2D and 3D binary images", Image Analysis and Stereology 26 (2007)). The spacings and
- * angles of pixels are those on the surface.
+ * angles of pixels are those on the surface. Near the poles of Mollweide and Mercator maps, errors
+ * are up to 4 %; vtkMapOutlines is more accurate.
  *
  * @sa
- * vtkSurfaceLayers vtkBodyMapImage vtkTIFFStackReader
+ * vtkMapOutlines vtkSurfaceLayers vtkBodyMapImage vtkTIFFStackReader
  */
 
 #ifndef vtkMapLabels_h

@@ -10,6 +10,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMassProperties.h"
+#include "vtkMath.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -211,6 +212,33 @@ TEST_F(SphericalTimeSeries, ReadsTimeStepsOnceAndShowsAnyTime)
   EXPECT_EQ(this->Entry(3, "State").ToString(), "registered");
   EXPECT_NEAR(this->Entry(3, "RelativeArea").ToDouble(), std::exp(1.2), 1e-6);
   EXPECT_NEAR(this->Entry(3, "RelativeVolume").ToDouble(), std::exp(1.8), 1e-6);
+}
+
+// Between two time steps, points move straight: velocities are those at the first of only two
+// steps.
+TEST_F(SphericalTimeSeries, MotionBetweenTimeStepsIsThatOfTheTime)
+{
+  this->Filter->AddInputData(HeadAt(0.0));
+  this->Filter->AddInputData(HeadAt(1.0));
+  this->Filter->UpdateTimeStep(0.0);
+  const double area = this->MeanOf("AreaRate");
+  const auto speed = [&]()
+  {
+    vtkDataArray* array = this->Filter->GetOutput()->GetPointData()->GetArray("Velocity");
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      sum += vtkMath::Norm(array->GetTuple3(i));
+    }
+    return sum;
+  };
+  const double first = speed();
+  for (const double time : { 1e-9, 0.1, 0.5, 0.9 })
+  {
+    this->Filter->UpdateTimeStep(time);
+    EXPECT_NEAR(speed() / first, 1.0, 1e-6) << time;
+    EXPECT_NEAR(this->MeanOf("AreaRate") / area, 1.0, 0.15) << time;
+  }
 }
 
 TEST_F(SphericalTimeSeries, SkipsSurfacesThatCannotBeUsed)

@@ -353,10 +353,11 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
   const Triangles triangles = turnedOutward(body.Triangles, body.SpherePositions);
   const SphereLocator locator(body.SpherePositions, triangles, steps.next());
   const double step = 0.01 * radiusOf(body.Positions);
+  std::vector<std::vector<GraticuleLine>> pieces(lines.size());
   forBlocksReporting(steps.next(), static_cast<Index>(lines.size()), 1,
     [&](Index begin, Index)
     {
-      GraticuleLine& line = lines[begin];
+      const GraticuleLine& line = lines[begin];
       const double first = line.IsMeridian ? -90.0 : 0.0, last = line.IsMeridian ? 90.0 : 360.0;
       int hint = -1;
       const auto at = [&](double t) -> Vector3
@@ -368,7 +369,19 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
           ? Vector3(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()))
           : mixed(body.Positions, triangles, { location.Triangle, location.Barycentric });
       };
-      std::vector<Vector3> found;
+      std::vector<std::vector<Vector3>> found(1);
+      // A line ends at a hole of the map, and another one begins behind it.
+      const auto add = [&](const Vector3& x)
+      {
+        if (x.allFinite())
+        {
+          found.back().push_back(x);
+        }
+        else if (!found.back().empty())
+        {
+          found.emplace_back();
+        }
+      };
       const std::function<void(double, const Vector3&, double, const Vector3&, int)> fill =
         [&](double from, const Vector3& a, double to, const Vector3& b, int depth)
       {
@@ -379,31 +392,42 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
           fill(from, a, middle, between, depth - 1);
           fill(middle, between, to, b, depth - 1);
         }
-        else if (b.allFinite())
+        else
         {
-          found.push_back(b);
+          add(b);
         }
       };
-      constexpr int pieces = 90, maximumHalvings = 8;
+      constexpr int parts = 90, maximumHalvings = 8;
       Vector3 before = at(first);
-      if (before.allFinite())
+      add(before);
+      for (int i = 1; i <= parts; ++i)
       {
-        found.push_back(before);
-      }
-      for (int i = 1; i <= pieces; ++i)
-      {
-        const double from = first + (last - first) * (i - 1) / pieces,
-                     to = first + (last - first) * i / pieces;
+        const double from = first + (last - first) * (i - 1) / parts,
+                     to = first + (last - first) * i / parts;
         const Vector3 here = at(to);
         fill(from, before, to, here, maximumHalvings);
         before = here;
       }
-      line.Positions.resize(static_cast<Index>(found.size()), 3);
-      for (std::size_t i = 0; i < found.size(); ++i)
+      for (const std::vector<Vector3>& points : found)
       {
-        line.Positions.row(static_cast<Index>(i)) = found[i];
+        if (points.size() < 2)
+        {
+          continue;
+        }
+        GraticuleLine piece = line;
+        piece.Positions.resize(static_cast<Index>(points.size()), 3);
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+          piece.Positions.row(static_cast<Index>(i)) = points[i];
+        }
+        pieces[begin].push_back(std::move(piece));
       }
     });
-  return lines;
+  std::vector<GraticuleLine> result;
+  for (const std::vector<GraticuleLine>& ofLine : pieces)
+  {
+    result.insert(result.end(), ofLine.begin(), ofLine.end());
+  }
+  return result;
 }
 }

@@ -94,7 +94,8 @@ struct GraticuleLine
 };
 
 /// Compute meridians and parallels on the body. The points of a line are on the surface.
-/// Neighboring points are about a hundredth of the size of the body apart.
+/// Neighboring points are about a hundredth of the size of the body apart. At a hole of the map, a
+/// line ends, and another one begins behind the hole.
 /// @param[in] body  body with a sphere map whose north pole is (0, 0, 1)
 /// @param[in] spacing  angle between neighboring lines, in [1, 90] [degrees]
 /// @throws std::invalid_argument if the spacing is out of range or there are no triangles

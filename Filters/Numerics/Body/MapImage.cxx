@@ -1,6 +1,7 @@
 #include "Body/MapImage.h"
 
 #include "Body/BodyCoordinates.h"
+#include "Search/BoxTree.h"
 
 #include <cmath>
 
@@ -69,6 +70,20 @@ void paintMap(const MappedMesh& body, const MapImage& image, const PixelSink& si
   paintSphere(
     body, [&](Index pixel, Vector3& n) { return image.directionOf(pixel, n); }, image.Grid, sink,
     run);
+}
+
+//------------------------------------------------------------------------------
+MappedMesh movedToOrigin(const MappedMesh& body, Vector3& middle)
+{
+  Box box;
+  for (Index i = 0; i < body.Triangles.size(); ++i)
+  {
+    box.extend(body.Positions.row(body.Triangles.data()[i]));
+  }
+  middle = 0.5 * box.Lower + 0.5 * box.Upper;
+  MappedMesh moved = body;
+  moved.Positions.rowwise() -= middle.transpose();
+  return moved;
 }
 
 //------------------------------------------------------------------------------

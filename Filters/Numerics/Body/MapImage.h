@@ -61,6 +61,12 @@ struct MapImage
 void paintMap(
   const MappedMesh& body, const MapImage& image, const PixelSink& sink, const Run& run = {});
 
+/// Move a body so that the middle of the bounding box of its triangles is the origin. Second
+/// moments, and differences of interpolated positions, then have digits also if the body is far
+/// from the origin.
+/// @param[out] middle  position of the middle before the move
+MappedMesh movedToOrigin(const MappedMesh& body, Vector3& middle);
+
 /// Marks of the pixels outside of the map, and of the pixels on its graticule (meridians and
 /// parallels).
 struct MapMarks

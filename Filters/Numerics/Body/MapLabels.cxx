@@ -92,7 +92,8 @@ public:
   {
   }
 
-  void add(Index triangle, MomentsOfLabels& sums) const
+  // Add a piece of a triangle that is divided into 4^level pieces.
+  void add(Index triangle, Index piece, int level, MomentsOfLabels& sums) const
   {
     Part part;
     for (int k = 0; k < 3; ++k)
@@ -100,9 +101,13 @@ public:
       part.Corners[k] = this->at(triangle, Vector3::Unit(k));
     }
     part.Area = areaVector(this->Body.Positions, this->Body.Triangles, triangle).norm();
+    for (int l = level - 1; l >= 0; --l)
+    {
+      part = this->quarters(triangle, part)[(piece >> (2 * l)) & 3];
+    }
     if (part.Area > 0.0)
     {
-      this->divide(triangle, part, 0, sums);
+      this->divide(triangle, part, level, sums);
     }
   }
 
@@ -147,6 +152,25 @@ private:
     return position;
   }
 
+  // Divide a part at the middles of its sides.
+  std::array<Part, 4> quarters(Index triangle, const Part& part) const
+  {
+    const auto& c = part.Corners;
+    std::array<Corner, 3> middles;
+    for (int k = 0; k < 3; ++k)
+    {
+      middles[k] =
+        this->at(triangle, 0.5 * (c[next(k)].Weights + c[previous(k)].Weights)); // opposite to k
+    }
+    const double area = 0.25 * part.Area;
+    std::array<Part, 4> result = { { { middles, area } } };
+    for (int k = 0; k < 3; ++k)
+    {
+      result[k + 1] = { { c[k], middles[previous(k)], middles[next(k)] }, area };
+    }
+    return result;
+  }
+
   void divide(Index triangle, const Part& part, int level, MomentsOfLabels& sums) const
   {
     constexpr int deepest = 16;
@@ -169,18 +193,9 @@ private:
       sums[label].add(part.Area, this->positionOf(triangle, middle));
       return;
     }
-    std::array<Corner, 3> middles;
-    for (int k = 0; k < 3; ++k)
+    for (const Part& quarter : this->quarters(triangle, part))
     {
-      middles[k] =
-        this->at(triangle, 0.5 * (c[next(k)].Weights + c[previous(k)].Weights)); // opposite to k
-    }
-    const double quarter = 0.25 * part.Area;
-    this->divide(triangle, { middles, quarter }, level + 1, sums);
-    for (int k = 0; k < 3; ++k)
-    {
-      this->divide(
-        triangle, { { c[k], middles[previous(k)], middles[next(k)] }, quarter }, level + 1, sums);
+      this->divide(triangle, quarter, level + 1, sums);
     }
   }
 
@@ -193,15 +208,25 @@ MomentsOfLabels areaMoments(
   const MappedMesh& body, const MapImage& image, const std::vector<int>& labels, const Run& run)
 {
   const Division division(body, image, labels);
-  constexpr Index blockSize = 64;
-  const Index size = body.Triangles.rows(), blocks = (size + blockSize - 1) / blockSize;
-  std::vector<MomentsOfLabels> parts(blocks);
+  // The cost of a block is that of its pixels. Large triangles are therefore divided among blocks.
+  constexpr Index pixelsOfBlock = 128;
+  constexpr int maximumLevel = 8;
+  int level = 0;
+  const auto pieces = [&]() { return body.Triangles.rows() << (2 * level); };
+  while (level < maximumLevel && pieces() * pixelsOfBlock < image.Grid.size())
+  {
+    ++level;
+  }
+  const Index size = pieces();
+  const Index blockSize = std::clamp<Index>(pixelsOfBlock * size / image.Grid.size(), 1, Index(64));
+  std::vector<MomentsOfLabels> parts((size + blockSize - 1) / blockSize);
   forBlocksReporting(run, size, blockSize,
     [&](Index begin, Index end)
     {
-      for (Index r = begin; r < end; ++r)
+      for (Index i = begin; i < end; ++i)
       {
-        division.add(r, parts[begin / blockSize]);
+        const Index triangle = i >> (2 * level);
+        division.add(triangle, i - (triangle << (2 * level)), level, parts[begin / blockSize]);
       }
     });
   MomentsOfLabels sums;
@@ -274,49 +299,193 @@ struct Contacts
   std::map<int, std::set<int>> Neighbors;
 };
 
-constexpr std::array<std::array<int, 2>, 4> Steps4 = { { { 1, 0 }, { 1, 1 }, { 0, 1 },
-  { -1, 1 } } };
-
-// Factors w_k s_k pi / 2 of the four directions, for steps e1 to the right and e2 up.
-std::array<double, 4> croftonFactors(const Vector3& e1, const Vector3& e2)
+// Step between two pixels, in pixels.
+struct PixelStep
 {
-  const double area = e1.cross(e2).norm();
-  std::array<double, 4> factors = { 0.0, 0.0, 0.0, 0.0 };
+  int Right = 0, Up = 0;
+  PixelStep operator+(const PixelStep& other) const
+  {
+    return { this->Right + other.Right, this->Up + other.Up };
+  }
+  PixelStep times(int factor) const { return { factor * this->Right, factor * this->Up }; }
+};
+constexpr int Directions = 8;
+using EvenSteps = std::array<PixelStep, Directions>;
+
+// Step on the surface, as the mean of the steps to both sides, which has the direction at the pixel
+// itself; zero if neither side is in the map.
+Vector3 onSurface(const Neighborhood& pixels, Index p, const PixelStep& step)
+{
+  const auto ahead = pixels.neighbor(p, step.Right, step.Up),
+             behind = pixels.neighbor(p, -step.Right, -step.Up);
+  Vector3 sum = Vector3::Zero();
+  double count = 0.0;
+  if (ahead.Other >= 0 && !ahead.IsAcrossOutline)
+  {
+    sum += pixels.between(p, ahead);
+    count += 1.0;
+  }
+  if (behind.Other >= 0 && !behind.IsAcrossOutline)
+  {
+    sum -= pixels.between(p, behind);
+    count += 1.0;
+  }
+  return count > 0.0 ? Vector3(sum / count) : sum;
+}
+
+double areaOf(const Neighborhood& pixels, Index p)
+{
+  return onSurface(pixels, p, { 1, 0 }).cross(onSurface(pixels, p, { 0, 1 })).norm();
+}
+
+// Choose steps from a pixel whose directions on the surface are about evenly spaced. They are sums
+// of a and b, which are a reduced basis of the lattice of pixels, that of Gauss. Where pixels are
+// oblong, a is repeated until it is about as long as b.
+EvenSteps evenSteps(const Vector3& right, const Vector3& up)
+{
+  constexpr int rounds = 8, farthest = 3, mostRepeated = 8;
+  PixelStep a = { 1, 0 }, b = { 0, 1 };
+  Vector3 x = right, y = up;
+  for (int i = 0; i < rounds; ++i)
+  {
+    if (y.squaredNorm() < x.squaredNorm())
+    {
+      std::swap(a, b);
+      std::swap(x, y);
+    }
+    const double fraction = std::round(x.dot(y) / x.squaredNorm());
+    if (!(std::abs(fraction) >= 1.0 && std::abs(fraction) <= farthest))
+    {
+      break;
+    }
+    const PixelStep shorter = b + a.times(-static_cast<int>(fraction));
+    if (std::abs(shorter.Right) > farthest || std::abs(shorter.Up) > farthest)
+    {
+      break;
+    }
+    b = shorter;
+    y -= fraction * x;
+  }
+  const double ratio = std::round(y.norm() / x.norm());
+  a = a.times(ratio >= 1.0 ? static_cast<int>(std::min<double>(ratio, mostRepeated)) : 1);
+  const PixelStep back = a.times(-1);
+  EvenSteps steps = { a, a + a + b, a + b, a + b + b, b, b + b + back, b + back, b + back + back };
+  // Pairs are counted from one side, and neighboring pixels must agree about the side.
+  for (PixelStep& step : steps)
+  {
+    step = step.times(step.Up < 0 || (step.Up == 0 && step.Right < 0) ? -1 : 1);
+  }
+  return steps;
+}
+
+// Factors w_k s_k pi / 2 of steps on the surface, for pixels with the sides `right` and `up`.
+std::array<double, Directions> croftonFactors(
+  const Vector3& right, const Vector3& up, const std::array<Vector3, Directions>& steps)
+{
+  const Vector3 normal = right.cross(up);
+  const double area = normal.norm();
+  std::array<double, Directions> factors = {};
   if (!(area > 0.0))
   {
     return factors;
   }
-  const Vector3 x = e1.normalized(), y = (e2 - e2.dot(x) * x).normalized();
-  std::array<double, 4> angles;
-  std::array<double, 4> lengths;
-  for (int k = 0; k < 4; ++k)
+  const Vector3 x = right.normalized(), y = normal.cross(x) / area;
+  std::array<std::pair<double, int>, Directions> angles;
+  for (int k = 0; k < Directions; ++k)
   {
-    const Vector3 d = Steps4[k][0] * e1 + Steps4[k][1] * e2;
-    angles[k] = std::atan2(d.dot(y), d.dot(x)); // ascending, in [0, pi)
-    lengths[k] = d.norm();
+    const double angle = std::atan2(steps[k].dot(y), steps[k].dot(x));
+    angles[k] = { angle < 0.0 ? angle + Pi : angle, k };
   }
-  for (int k = 0; k < 4; ++k)
+  std::sort(angles.begin(), angles.end());
+  for (int k = 0; k < Directions; ++k)
   {
-    const double before = k > 0 ? angles[k - 1] : angles[3] - Pi;
-    const double after = k < 3 ? angles[k + 1] : angles[0] + Pi;
-    const double share = 0.5 * (after - before) / Pi;
-    factors[k] = 0.5 * Pi * share * area / lengths[k];
+    const double before = k > 0 ? angles[k - 1].first : angles.back().first - Pi;
+    const double after = k + 1 < Directions ? angles[k + 1].first : angles[0].first + Pi;
+    const double share = 0.5 * (after - before) / Pi, length = steps[angles[k].second].norm();
+    factors[angles[k].second] = length > 0.0 ? 0.5 * Pi * share * area / length : 0.0;
   }
   return factors;
+}
+
+// Add the share of one pixel to the perimeters.
+void addPerimeters(const Neighborhood& pixels, const std::vector<int>& labels, Index p,
+  std::map<int, double>& perimeters)
+{
+  const Vector3 right = onSurface(pixels, p, { 1, 0 }), up = onSurface(pixels, p, { 0, 1 });
+  const EvenSteps steps = evenSteps(right, up);
+  const double area = right.cross(up).norm();
+  std::array<double, Directions> factors = { -1.0 };
+  for (int k = 0; k < Directions; ++k)
+  {
+    for (const int side : { 1, -1 })
+    {
+      const auto pair = pixels.neighbor(p, side * steps[k].Right, side * steps[k].Up);
+      // Pairs in the map are counted from one side; pairs across its outline from both.
+      if (pair.Other < 0 || (side < 0 && !pair.IsAcrossOutline) || labels[p] == labels[pair.Other])
+      {
+        continue;
+      }
+      if (factors[0] < 0.0)
+      {
+        std::array<Vector3, Directions> lengths;
+        for (int j = 0; j < Directions; ++j)
+        {
+          lengths[j] = onSurface(pixels, p, steps[j]);
+          if (lengths[j].isZero(0.0))
+          {
+            lengths[j] = steps[j].Right * right + steps[j].Up * up;
+          }
+        }
+        factors = croftonFactors(right, up, lengths);
+      }
+      // The area of a pixel is the mean of both ends.
+      const double share = pair.IsAcrossOutline || !(area > 0.0)
+        ? 0.5
+        : 0.5 * (1.0 + areaOf(pixels, pair.Other) / area);
+      const double length = factors[k] * share;
+      perimeters[labels[p]] += length;
+      perimeters[labels[pair.Other]] += length;
+    }
+  }
+}
+
+// Add the labels that touch that of one pixel.
+void addNeighbors(const Neighborhood& pixels, const std::vector<int>& labels, Index p,
+  std::map<int, std::set<int>>& neighbors)
+{
+  constexpr std::array<PixelStep, 4> steps = { { { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 1 } } };
+  const auto touch = [&](int a, int b)
+  {
+    if (a != b && a != 0 && b != 0)
+    {
+      neighbors[a].insert(b);
+      neighbors[b].insert(a);
+    }
+  };
+  for (int k = 0; k < 4; ++k)
+  {
+    for (const int side : { 1, -1 })
+    {
+      const PixelStep step = steps[k].times(side);
+      const auto pair = pixels.neighbor(p, step.Right, step.Up);
+      if (pair.Other < 0 || (side < 0 && !pair.IsAcrossOutline))
+      {
+        continue;
+      }
+      touch(labels[p], labels[pair.Other]);
+      if (labels[pair.Other] == 0 && k % 2 == 0)
+      {
+        const auto second = pixels.neighbor(p, 2 * step.Right, 2 * step.Up);
+        touch(labels[p], second.Other >= 0 ? labels[second.Other] : 0);
+      }
+    }
+  }
 }
 
 Contacts findContacts(
   const MapImage& image, const Neighborhood& pixels, const std::vector<int>& labels, const Run& run)
 {
   Contacts contacts;
-  const auto touch = [&](int a, int b)
-  {
-    if (a != b && a != 0 && b != 0)
-    {
-      contacts.Neighbors[a].insert(b);
-      contacts.Neighbors[b].insert(a);
-    }
-  };
   const Index size = image.Grid.size();
   for (Index p = 0; p < size; ++p)
   {
@@ -324,49 +493,10 @@ Contacts findContacts(
     {
       run.report(double(p) / double(size));
     }
-    if (!pixels.isInMap(p))
+    if (pixels.isInMap(p))
     {
-      continue;
-    }
-    const auto stepOf = [&](int right, int up)
-    {
-      const auto pair = pixels.neighbor(p, right, up);
-      if (pair.Other >= 0 && !pair.IsAcrossOutline)
-      {
-        return pixels.between(p, pair);
-      }
-      const auto other = pixels.neighbor(p, -right, -up);
-      return other.Other >= 0 ? Vector3(-pixels.between(p, other)) : Vector3(Vector3::Zero());
-    };
-    std::array<double, 4> factors = { -1.0, 0.0, 0.0, 0.0 };
-    for (int k = 0; k < 4; ++k)
-    {
-      for (const int side : { 1, -1 })
-      {
-        const auto pair = pixels.neighbor(p, side * Steps4[k][0], side * Steps4[k][1]);
-        // Pairs in the map are counted from one side; pairs across its outline from both.
-        if (pair.Other < 0 || (side < 0 && !pair.IsAcrossOutline))
-        {
-          continue;
-        }
-        const int a = labels[p], b = labels[pair.Other];
-        if (a != b)
-        {
-          if (factors[0] < 0.0)
-          {
-            factors = croftonFactors(stepOf(1, 0), stepOf(0, 1));
-          }
-          const double length = factors[k] * (pair.IsAcrossOutline ? 0.5 : 1.0);
-          contacts.Perimeters[a] += length;
-          contacts.Perimeters[b] += length;
-        }
-        touch(a, b);
-        if (b == 0 && k % 2 == 0)
-        {
-          const auto second = pixels.neighbor(p, 2 * side * Steps4[k][0], 2 * side * Steps4[k][1]);
-          touch(a, second.Other >= 0 ? labels[second.Other] : 0);
-        }
-      }
+      addPerimeters(pixels, labels, p, contacts.Perimeters);
+      addNeighbors(pixels, labels, p, contacts.Neighbors);
     }
   }
   return contacts;
@@ -396,15 +526,17 @@ void measureShape(LabelMeasure& measure, const Moments& moments, const TriangleT
 
 //------------------------------------------------------------------------------
 MapLabels measureMapLabels(
-  const MappedMesh& body, const MapImage& image, const std::vector<int>& labels, const Run& run)
+  const MappedMesh& given, const MapImage& image, const std::vector<int>& labels, const Run& run)
 {
   const Index size = image.Grid.size();
-  if (size < 1 || body.Triangles.rows() == 0 || static_cast<Index>(labels.size()) != size)
+  if (size < 1 || given.Triangles.rows() == 0 || static_cast<Index>(labels.size()) != size)
   {
     throw std::invalid_argument("labels need a surface with triangles, and a map with as many "
                                 "pixels as labels");
   }
-  requireFiniteTriangles(body.Positions, body.Triangles);
+  requireFiniteTriangles(given.Positions, given.Triangles);
+  Vector3 middle;
+  const MappedMesh body = movedToOrigin(given, middle);
   Steps steps(run, { 0.3, 0.5, 0.15, 0.05 }); // pixels, areas, perimeters, centroids
   Points positions = Points::Zero(size, 3);
   std::vector<unsigned char> isInMap(size, 0);
@@ -444,6 +576,7 @@ MapLabels measureMapLabels(
     measure.Label = label;
     measure.NumberOfPixels = counts[label];
     measureShape(measure, sums, tree);
+    measure.Centroid += middle;
     const auto perimeter = contacts.Perimeters.find(label);
     measure.Perimeter = perimeter != contacts.Perimeters.end() ? perimeter->second : 0.0;
     const auto neighbors = contacts.Neighbors.find(label);

@@ -235,14 +235,14 @@ SurfaceOutline Tracer::trace(const MapOutline& outline) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<SurfaceOutline> measureMapOutlines(const MappedMesh& body, const MapImage& image,
+std::vector<SurfaceOutline> measureMapOutlines(const MappedMesh& given, const MapImage& image,
   const std::vector<MapOutline>& outlines, const Run& run)
 {
-  if (image.Grid.size() < 1 || body.Triangles.rows() == 0)
+  if (image.Grid.size() < 1 || given.Triangles.rows() == 0)
   {
     throw std::invalid_argument("outlines need a surface with triangles, and a map with pixels");
   }
-  requireFiniteTriangles(body.Positions, body.Triangles);
+  requireFiniteTriangles(given.Positions, given.Triangles);
   const double farthest = 10.0 * double(std::max(image.Grid.Width, image.Grid.Height));
   bool hasArea = false;
   for (const MapOutline& outline : outlines)
@@ -258,6 +258,8 @@ std::vector<SurfaceOutline> measureMapOutlines(const MappedMesh& body, const Map
     }
   }
   Steps steps(run, { 0.1, 0.4, 0.5 }); // locator, parts, outlines
+  Vector3 middle;
+  const MappedMesh body = movedToOrigin(given, middle);
   const Tracer tracer(body, image, steps.next());
   const Run dividing = steps.next();
   const MapParts parts = hasArea ? MapParts(body, image, dividing) : MapParts();
@@ -270,6 +272,7 @@ std::vector<SurfaceOutline> measureMapOutlines(const MappedMesh& body, const Map
       {
         results[begin].Area = parts.areaInside(outlines[begin].Corners);
       }
+      results[begin].Positions.rowwise() += middle.transpose();
     });
   return results;
 }

@@ -22,11 +22,13 @@ PlanetocentricFrame planetocentricFrame(const BodyCoordinatesOptions& options)
   const Vector3 north = options.RotationAxis.stableNormalized();
   const Vector3 zero = options.UseMarkerPoint ? Vector3(options.MarkerPoint - options.Center)
                                               : towardsLongitudeZero(north);
-  const Vector3 x = (zero - zero.dot(north) * north).stableNormalized();
-  if (x.isZero(0.0))
+  const Vector3 across = zero - zero.dot(north) * north;
+  constexpr double least = 1e-9; // of a vector on an oblique axis, rounding leaves about 1e-16
+  if (!(across.stableNorm() > least * zero.stableNorm()))
   {
     throw std::invalid_argument("MarkerPoint is on the rotation axis, so it has no longitude");
   }
+  const Vector3 x = across.stableNormalized();
   frame.Axes << x, north.cross(x), north;
   return frame;
 }

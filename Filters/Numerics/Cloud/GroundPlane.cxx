@@ -15,7 +15,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index WantedSamples = 20000, MinimumSamples = 500;
+constexpr Index WantedSamples = 20000;
 constexpr int Candidates = 400;
 
 struct Plane
@@ -262,7 +262,8 @@ Ground findGround(const TrainingSamples& samples, RemoveGround mode)
 {
   constexpr double fewest = 0.05, reach = 4.0;
   Ground ground;
-  if (mode == RemoveGround::Off || samples.totalSize() < MinimumSamples || samples.dimension() < 3)
+  const Index minimumSamples = mode == RemoveGround::Automatic ? 500 : 50;
+  if (mode == RemoveGround::Off || samples.totalSize() < minimumSamples || samples.dimension() < 3)
   {
     return ground;
   }

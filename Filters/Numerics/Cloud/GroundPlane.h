@@ -17,9 +17,11 @@ namespace conformal
 /// Whether the ground under the object is left out.
 enum class RemoveGround
 {
-  Automatic, ///< if a plane is found that is certainly a ground
+  Automatic, ///< if a plane is found that is certainly a ground, in 500 samples or more
   Off,       ///< never
-  On         ///< the largest plane of the scan, unless it has less than 5 percent of the samples
+  /// the largest plane of the scan, unless it has less than 5 percent of the samples, or there are
+  /// fewer than 50
+  On
 };
 
 /// Ground plane, and the object above it.

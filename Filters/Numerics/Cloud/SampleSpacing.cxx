@@ -32,7 +32,7 @@ double Neighborhood::spacing() const
 
 Neighborhood SampleSpacing::at(Index point, std::vector<Neighbor>& around) const
 {
-  constexpr int minimum = 6, maximum = 6 * 4 * 4 * 2, growth = 4;
+  constexpr int minimum = 6, maximum = 96, growth = 4;
   constexpr double flattest = 0.03; // of the widths' squares
   const Vector3 place = this->Positions.row(point);
   Neighborhood found;

@@ -42,7 +42,7 @@ public:
   const PointTree& tree() const { return this->Tree; }
 
   /// Find the neighborhood of a point. It has 6 neighbors. If they are nearly collinear, as on a
-  /// scan line, it has 24, 96 or 192.
+  /// scan line, it has 24 or 96.
   /// @param[in] around  memory for the neighbors, reused by each call
   Neighborhood at(Index point, std::vector<Neighbor>& around) const;
 

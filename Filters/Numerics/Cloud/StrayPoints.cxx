@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
 
 namespace conformal
 {
@@ -60,6 +62,23 @@ void acquitSurfaces(
   {
     suspects[ids[k]] = guilty[k];
   }
+}
+
+// Return the median of the positive numbers; 0 if there are none. Square distances are 0 at points
+// with many copies, which show no spacing.
+template <typename Iterator>
+double medianOfPositive(Iterator begin, Iterator end)
+{
+  std::vector<double> positive;
+  std::copy_if(
+    begin, end, std::back_inserter(positive), [](double number) { return number > 0.0; });
+  if (positive.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 2);
+  std::nth_element(positive.begin(), middle, positive.end());
+  return *middle;
 }
 }
 
@@ -153,9 +172,7 @@ std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, 
         }
       }
     });
-  std::vector<double> sorted = squares;
-  std::nth_element(sorted.begin(), sorted.begin() + size / 2, sorted.end());
-  const double typical = sorted[size / 2];
+  const double typical = medianOfPositive(squares.begin(), squares.end());
   forBlocksReporting(steps.next(), size, BlockSize,
     [&](Index begin, Index end)
     {
@@ -164,9 +181,10 @@ std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, 
       {
         std::transform(around[i].begin(), around[i].end(), theirs.begin(),
           [&](int neighbor) { return squares[neighbor]; });
-        std::nth_element(theirs.begin(), theirs.begin() + Neighbors / 2, theirs.end());
-        isolated[i] = squares[i] > FromNeighbors * FromNeighbors * theirs[Neighbors / 2] ||
-          squares[i] > farthest * farthest * typical;
+        const double ofNeighbors = medianOfPositive(theirs.begin(), theirs.end());
+        isolated[i] =
+          (ofNeighbors > 0.0 && squares[i] > FromNeighbors * FromNeighbors * ofNeighbors) ||
+          (typical > 0.0 && squares[i] > farthest * farthest * typical);
       }
     });
   acquitSurfaces(points, tree, isolated, steps.next());

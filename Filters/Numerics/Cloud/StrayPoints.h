@@ -53,7 +53,7 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run = {})
 /// Mark points that are far from all others. Let d be the distance from a point to its eighth
 /// nearest neighbor. A point is marked if its d exceeds 3 times the median of d at its eight
 /// nearest neighbors. A point is also marked if its d exceeds `farthest` times the median of d over
-/// all points.
+/// all points. For both medians, points with d = 0, which have eight copies, are left out.
 ///
 /// By these rules, points of a sparse part of a surface are also marked. Their marks are then
 /// removed: a point loses its mark if at least a quarter of the 32 marked points nearest to it pass

@@ -1,7 +1,6 @@
 #include "Measure/MeanCurvature.h"
 
 #include <array>
-#include <unordered_set>
 #include <vector>
 
 namespace conformal
@@ -80,10 +79,13 @@ MeanCurvature::MeanCurvature(
 }
 
 //------------------------------------------------------------------------------
-double MeanCurvature::over(const Vector3& center, Index triangle, double radius) const
+double MeanCurvature::over(
+  const Vector3& center, Index triangle, double radius, Memory& memory) const
 {
-  std::vector<int> found{ static_cast<int>(triangle) };
-  std::unordered_set<int> seen(found.begin(), found.end());
+  std::vector<int>& found = memory.Found;
+  found.assign(1, static_cast<int>(triangle));
+  memory.IsFound.resize(this->Triangles.rows(), false);
+  memory.IsFound[triangle] = true;
   double sum = 0.0, area = 0.0;
   for (std::size_t i = 0; i < found.size(); ++i)
   {
@@ -96,12 +98,17 @@ double MeanCurvature::over(const Vector3& center, Index triangle, double radius)
       for (const int* other = this->Around.begin(v); other != this->Around.end(v); ++other)
       {
         const Vector3 way = Vector3(this->Centroids.row(*other)) - center;
-        if (way.squaredNorm() < radius * radius && seen.insert(*other).second)
+        if (!memory.IsFound[*other] && way.squaredNorm() < radius * radius)
         {
+          memory.IsFound[*other] = true;
           found.push_back(*other);
         }
       }
     }
+  }
+  for (const int r : found)
+  {
+    memory.IsFound[r] = false;
   }
   return area > 0.0 ? sum / area : 0.0;
 }

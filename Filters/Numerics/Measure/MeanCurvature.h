@@ -7,6 +7,8 @@
 #include "Base/Types.h"
 #include "Mesh/MeshTopology.h"
 
+#include <vector>
+
 namespace conformal
 {
 /// Measure the mean curvature of a triangle mesh at given triangles.
@@ -27,11 +29,19 @@ public:
   /// @param[in] triangles  #F by 3 ids; kept by reference. Neighbors are found by shared ids.
   MeanCurvature(const Points& points, const Triangles& triangles, const Run& run = {});
 
+  /// Memory of one thread for disks.
+  struct Memory
+  {
+    std::vector<int> Found;
+    std::vector<bool> IsFound; ///< for each triangle; all false between calls
+  };
+
   /// Return the mean of H, weighted by area, over a disk: the triangles whose centroids are closer
   /// to `center` than `radius`, as far as they are connected to `triangle`, and `triangle` itself.
   /// @param[in] center  position on the triangle
+  /// @param[in,out] memory  reused by further calls for the same mesh
   /// @return the mean; 0 if all areas are 0
-  double over(const Vector3& center, Index triangle, double radius) const;
+  double over(const Vector3& center, Index triangle, double radius, Memory& memory) const;
 
 private:
   const conformal::Triangles& Triangles;

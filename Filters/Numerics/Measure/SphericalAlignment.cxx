@@ -4,12 +4,58 @@
 #include "Search/TriangleTree.h"
 #include "Sphere/ClosestMoebiusTransform.h"
 
+#include <Eigen/SVD>
+
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace conformal
 {
+namespace
+{
+// Throw if pairs do not determine a rotation, such as copies of one pair, or antipodal points.
+void requireRotation(const Points& from, const Points& to, const Eigen::VectorXd& weights)
+{
+  constexpr double least = 1e-12;
+  const Eigen::Matrix3d correlation = to.transpose() * weights.asDiagonal() * from;
+  const Vector3 values = Eigen::JacobiSVD<Eigen::Matrix3d>(correlation).singularValues();
+  if (!(values[1] > least * values[0]))
+  {
+    throw std::invalid_argument("the pairs of points are equal or antipodal, or have no weight, so "
+                                "that they determine no rotation; add a pair at another place");
+  }
+}
+
+// Throw if fewer than three pairs have a weight and differ in both of their points.
+void requireMoebius(const Points& from, const Points& to, const Eigen::VectorXd& weights)
+{
+  constexpr double least = 1e-12;
+  std::vector<Index> different;
+  for (Index i = 0; i < from.rows() && different.size() < 3; ++i)
+  {
+    const bool isOther = std::all_of(different.begin(), different.end(),
+      [&](Index j)
+      {
+        return (from.row(i) - from.row(j)).squaredNorm() > least * least &&
+          (to.row(i) - to.row(j)).squaredNorm() > least * least;
+      });
+    if (isOther && weights[i] > 0.0)
+    {
+      different.push_back(i);
+    }
+  }
+  if (different.size() < 3)
+  {
+    throw std::invalid_argument("only " + std::to_string(different.size()) +
+      " pairs of points are different and have a weight, but a Moebius transform needs 3; add "
+      "pairs at other places");
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Eigen::VectorXd& weights, AlignmentKind kind, const Run& run)
@@ -25,10 +71,12 @@ SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   SphericalAlignmentResult result;
   if (rotation)
   {
+    requireRotation(from, to, weights);
     result.Transform.Rotation = closestRotation(from, to, weights);
   }
   else
   {
+    requireMoebius(from, to, weights);
     result.Transform = closestMoebiusTransform(from, to, weights, run);
   }
   for (Index i = 0; i < from.rows(); ++i)

@@ -30,8 +30,9 @@ struct SphericalAlignmentResult
 /// @param[in] from  positions that are transformed, #P by 3 unit vectors
 /// @param[in] to  corresponding positions, #P by 3 unit vectors
 /// @param[in] weights  weights of the pairs, at least 0, #P
-/// @throws std::invalid_argument if there are fewer than two pairs for a rotation, or fewer than
-///   three pairs for a Moebius transform
+/// @throws std::invalid_argument if the pairs do not determine the transform: a rotation needs two
+///   pairs that are neither equal nor antipodal, a Moebius transform three different pairs, all
+///   with positive weights
 SphericalAlignmentResult alignSpheres(const Points& from, const Points& to,
   const Eigen::VectorXd& weights, AlignmentKind kind = AlignmentKind::Rotation,
   const Run& run = {});

@@ -3,9 +3,11 @@
 #include "Base/AcrossProcesses.h"
 #include "Base/Steps.h"
 #include "Measure/MeanCurvature.h"
+#include "Mesh/GenusZeroCheck.h"
 #include "Search/TriangleTree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -247,28 +249,50 @@ double normalAngle(const Points& model, const Triangles& modelTriangles,
   return count > 0.0 ? std::sqrt(sum / count) * 180.0 / Pi : 0.0;
 }
 
+// Triangles that are neighbors by shared points and oriented consistently. Points of a border that
+// coincide are merged, such as those of a soup, which has three points for each triangle.
+Triangles connectedTriangles(const Points& points, const Triangles& triangles, const Run& run)
+{
+  Triangles connected = triangles;
+  const GenusZeroReport report = checkGenusZero(triangles, points.rows(), {}, run);
+  if (!report.BoundaryEdges.empty())
+  {
+    mergeCoincidentBoundaryPoints(connected, points, report);
+  }
+  orientConsistently(connected);
+  return connected;
+}
+
 // Root mean square difference of mean curvatures at samples of the model and at the closest
 // triangles of the reference. A reference with the opposite orientation has the opposite curvature.
 // A pair of triangles that are perpendicular to each other, of area zero, or of a curvature beyond
 // the range of doubles is left out.
-double curvatureError(const Points& model, const Triangles& modelTriangles, const Spread& samples,
-  const Points& reference, const Triangles& referenceTriangles, const std::vector<int>& feet,
+double curvatureError(const Points& model, const Triangles& givenTriangles, const Spread& samples,
+  const Points& reference, const Triangles& givenOfReference, const std::vector<int>& feet,
   double radius, const Run& run)
 {
+  Steps steps(run, { 0.15, 0.15, 0.7 }); // neighbors of the model and of the reference, curvatures
+  const Triangles modelTriangles = connectedTriangles(model, givenTriangles, steps.next()),
+                  referenceTriangles =
+                    connectedTriangles(reference, givenOfReference, steps.next());
+  const Run measuring = steps.next();
   const MeanCurvature ofModel(model, modelTriangles, run.unwatched()),
     ofReference(reference, referenceTriangles, run.unwatched());
   const Index all = static_cast<Index>(feet.size());
   const Index count = std::min<Index>(all, MaximumCurvatureSamples);
   Eigen::VectorXd squares = Eigen::VectorXd::Constant(count, -1.0);
-  constexpr Index blockSize = 64, chunkSize = 16 * blockSize;
+  // Disks can contain a fourth of the triangles, so that reports need to come after a few samples.
+  constexpr Index chunkSize = 16;
+  std::vector<std::array<MeanCurvature::Memory, 2>> memories(chunkSize);
   for (Index start = 0; start < count; start += chunkSize)
   {
     const Index length = std::min(chunkSize, count - start);
-    forBlocks(run, length, blockSize,
+    forBlocks(measuring, length, 1,
       [&](Index begin, Index end)
       {
         for (Index j = start + begin; j < start + end; ++j)
         {
+          auto& [memory, memoryOfReference] = memories[j - start];
           const Index i = j * all / count;
           const int r = samples.Triangles[i], s = feet[i];
           const double cosine = s < 0
@@ -279,15 +303,15 @@ double curvatureError(const Points& model, const Triangles& modelTriangles, cons
             continue;
           }
           const Vector3 x = samples.Positions.row(i);
-          const double difference = ofModel.over(x, r, radius) -
-            (cosine > 0.0 ? 1.0 : -1.0) * ofReference.over(x, s, radius);
+          const double difference = ofModel.over(x, r, radius, memory) -
+            (cosine > 0.0 ? 1.0 : -1.0) * ofReference.over(x, s, radius, memoryOfReference);
           if (std::isfinite(difference * difference))
           {
             squares[j] = difference * difference;
           }
         }
       });
-    run.report(static_cast<double>(start + length) / static_cast<double>(count));
+    measuring.report(static_cast<double>(start + length) / static_cast<double>(count));
   }
   double sum = 0.0, measured = 0.0;
   for (Index j = 0; j < count; ++j)

@@ -60,8 +60,9 @@ struct SurfaceMismatch
   /// if HasNormalAngle is true.
   double RootMeanSquareNormalAngle = 0.0;
   /// Root mean square difference of the mean curvatures of model and reference, see MeanCurvature,
-  /// over at most MaximumCurvatureSamples of the samples [1 / LengthUnit]. Valid if HasNormalAngle
-  /// is true.
+  /// over at most MaximumCurvatureSamples of the samples [1 / LengthUnit]. Before, border points
+  /// with equal coordinates are merged, and triangles are oriented consistently. Valid if
+  /// HasNormalAngle is true.
   double RootMeanSquareCurvatureError = 0.0;
   bool HasNormalAngle = false; ///< whether the reference has triangles
   /// Fraction of the area of the model that is farther than WebDistance from the reference, in [0,

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -228,6 +229,36 @@ TEST(BodyCoordinates, DrawAGraticuleOnTheSurface)
     EXPECT_TRUE(lines[i].Positions == fromBehind[i].Positions);
   }
   EXPECT_THROW(conformal::makeGraticule(body, 0.5), std::invalid_argument);
+}
+
+// A hole ends lines, and others begin behind it.
+TEST(BodyCoordinates, GraticuleDoesNotCrossHoles)
+{
+  MappedMesh body = withCoordinates(twoLobes());
+  Index kept = 0;
+  for (Index r = 0; r < body.Triangles.rows(); ++r)
+  {
+    double x = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      x = std::max(x, body.SpherePositions(body.Triangles(r, k), 0));
+    }
+    if (x < 0.8)
+    {
+      body.Triangles.row(kept++) = body.Triangles.row(r);
+    }
+  }
+  body.Triangles.conservativeResize(kept, 3);
+  const auto lines = conformal::makeGraticule(body, 30.0);
+  EXPECT_GT(lines.size(), 12u + 5u);
+  for (const auto& line : lines)
+  {
+    ASSERT_GE(line.Positions.rows(), 2);
+    for (Index i = 1; i < line.Positions.rows(); ++i)
+    {
+      EXPECT_LT((line.Positions.row(i) - line.Positions.row(i - 1)).norm(), 0.025);
+    }
+  }
 }
 
 TEST(BodyCoordinates, SayWhatIsWrong)

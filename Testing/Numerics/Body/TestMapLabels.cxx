@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -83,6 +84,28 @@ TEST(MapLabels, CapsHaveTheirAreaInEveryProjection)
   }
 }
 
+// Caps around poles and across seams, where pixels are sheared and oblong.
+TEST(MapLabels, PerimetersAreTrueAtPolesAndSeams)
+{
+  const MappedMesh ball = sphere(32);
+  const double angle = 0.5, perimeter = 2.0 * Pi * std::sin(angle);
+  const std::vector<Vector3> centers = { Vector3(0, 0, 1), Vector3(-1, 0, 0),
+    Vector3(-0.49, 0.59, 0.64).normalized(), Vector3(0.34, 0, -0.94).normalized() };
+  for (const MapProjection projection : All)
+  {
+    const bool isSquare =
+      projection == MapProjection::PeirceQuincuncial || projection == MapProjection::Mercator;
+    const MapImage image = { projection, 0.0, { 300, isSquare ? 300 : 150 } };
+    for (const Vector3& center : centers)
+    {
+      const MapLabels result = measureMapLabels(ball, image, paintedCaps(image, { center }, angle));
+      ASSERT_EQ(result.Measures.size(), 1u);
+      EXPECT_NEAR(result.Measures[0].Perimeter / perimeter, 1.0, 0.04)
+        << static_cast<int>(projection) << " " << center.transpose();
+    }
+  }
+}
+
 // On an ellipsoid, areas are those of the surface: parts of known sum, and two equal halves.
 TEST(MapLabels, AreasAreThoseOfTheBody)
 {
@@ -126,6 +149,42 @@ TEST(MapLabels, ElongationIsThatOnTheBody)
   ASSERT_EQ(result.Measures.size(), 1u);
   EXPECT_NEAR(result.Measures[0].Elongation, 2.5, 0.05);
   EXPECT_GT(result.Measures[0].LongAxis[2], 0.999);
+}
+
+TEST(MapLabels, DoNotDependOnThePlaceOfTheBody)
+{
+  MappedMesh body = sphere(12);
+  body.Positions *= Vector3(3.0, 2.0, 1.0).asDiagonal();
+  const MapImage image = { MapProjection::Equirectangular, 0.0, { 120, 60 } };
+  const std::vector<int> labels = paintedCaps(image, { Vector3(0.6, 0.8, 0.0) }, 0.3);
+  const LabelMeasure here = measureMapLabels(body, image, labels).Measures[0];
+  const Vector3 way(1e8, -2e8, 3e7);
+  body.Positions.rowwise() += way.transpose();
+  const LabelMeasure there = measureMapLabels(body, image, labels).Measures[0];
+  EXPECT_GT(here.Elongation, 1.1);
+  EXPECT_NEAR(there.Elongation, here.Elongation, 1e-6);
+  EXPECT_LT((there.LongAxis - here.LongAxis).norm(), 1e-6);
+  EXPECT_LT((there.Centroid - way - here.Centroid).norm(), 1e-6);
+}
+
+// Few large triangles: reports come often also then.
+TEST(MapLabels, ReportsWithinLargeTriangles)
+{
+  const MapImage image = { MapProjection::Equirectangular, 0.0, { 400, 200 } };
+  std::vector<double> reports = { 0.0 };
+  measureMapLabels(sphere(1), image, paintedCaps(image, { Vector3(1, 0, 0) }, 0.3),
+    conformal::Run({},
+      [&](double fraction)
+      {
+        reports.push_back(fraction);
+        return true;
+      }));
+  double gap = 0.0;
+  for (std::size_t i = 1; i < reports.size(); ++i)
+  {
+    gap = std::max(gap, reports[i] - reports[i - 1]);
+  }
+  EXPECT_LT(gap, 0.2);
 }
 
 TEST(MapLabels, LabelsBehindALineAreNeighbors)

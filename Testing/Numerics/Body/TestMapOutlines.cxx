@@ -222,6 +222,23 @@ TEST(MapOutlines, AreasAreThoseOfTheBody)
   EXPECT_NEAR(all.Area / conformal::surfaceArea(body.Positions, body.Triangles), 1.0, 1e-9);
 }
 
+TEST(MapOutlines, DoNotDependOnThePlaceOfTheBody)
+{
+  MappedMesh body = sphere(12);
+  const std::vector<Vector2> square = { place(10, 10), place(30, 10), place(30, 30),
+    place(10, 30) };
+  const SurfaceOutline here = measured(body, Degrees, square, true);
+  const Vector3 way(1e8, -2e8, 3e7);
+  body.Positions.rowwise() += way.transpose();
+  const SurfaceOutline there = measured(body, Degrees, square, true);
+  EXPECT_NEAR(there.Length, here.Length, 1e-5);
+  EXPECT_NEAR(there.Area, here.Area, 1e-6);
+  ASSERT_EQ(here.Corners.front(), 0);
+  EXPECT_NEAR(there.Angles.front(), here.Angles.front(), 1e-3);
+  const Vector3 corner = there.Positions.row(0) - here.Positions.row(0);
+  EXPECT_LT((corner - way).norm(), 1e-6);
+}
+
 // An outline across the sides of the image is that in the middle of an image with another central
 // meridian.
 TEST(MapOutlines, OutlinesContinueBeyondTheSides)

@@ -53,6 +53,15 @@ TEST(Planetocentric, KnowsAxesAndMarker)
   EXPECT_NEAR(result(3, 1), -45.0, 1e-12);
   options.MarkerPoint = options.Center + Vector3(0.0, 0.7, 0.0);
   EXPECT_THROW(conformal::planetocentricFrame(options), std::invalid_argument);
+  // On an oblique axis, rounding leaves a small part across it.
+  options.Center.setZero();
+  for (const Vector3& axis : { Vector3(2.04, -2.56, 0.42), Vector3(-0.57, -0.45, -0.22),
+         Vector3(-2.02, -0.23, -0.87), Vector3(0.31, 1.17, -2.9) })
+  {
+    options.RotationAxis = axis;
+    options.MarkerPoint = 0.3 * axis;
+    EXPECT_THROW(conformal::planetocentricFrame(options), std::invalid_argument);
+  }
 }
 
 // A pixel shows the outer shell, at the longitude and latitude of the pixel.

@@ -130,10 +130,21 @@ TEST(GroundPlane, OffAndOnAreObeyed)
   EXPECT_TRUE(groundOf(box(Vector3::Zero(), Vector3(1, 1, 1), Spacing), RemoveGround::On).found());
 }
 
+TEST(GroundPlane, OnNeedsFewerPointsThanAutomatic)
+{
+  const Points scene = together({ sheets::pointsAbove(-1.0, 150, 4),
+    rectangle(Vector3(-3, -3, -1), 6.0 * Vector3::UnitX(), 6.0 * Vector3::UnitY(), 0.4, 9) });
+  ASSERT_LT(scene.rows(), 500);
+  EXPECT_FALSE(groundOf(scene, RemoveGround::Automatic).found());
+  const Ground ground = groundOf(scene, RemoveGround::On);
+  ASSERT_TRUE(ground.found());
+  EXPECT_GT(ground.Normal[2], 0.98);
+}
+
 TEST(GroundPlane, FewOrFlatPointsHaveNoGround)
 {
   EXPECT_FALSE(groundOf(Points(0, 3), RemoveGround::On).found());
-  EXPECT_FALSE(groundOf(sheets::pointsAbove(-1.0, 100, 3), RemoveGround::On).found());
+  EXPECT_FALSE(groundOf(sheets::pointsAbove(-1.0, 40, 3), RemoveGround::On).found());
   EXPECT_FALSE(groundOf(table(2.0), RemoveGround::On).found());
   // Points at few positions.
   Points rounded = 2.0 * sheets::pointsAbove(-1.0, 5000, 3);

@@ -83,6 +83,23 @@ TEST(IsolatedPoints, AreNotAmongFew)
   EXPECT_EQ(isolatedPoints(points), std::vector<std::uint8_t>(8, 0));
 }
 
+// More than half of the points are copies: 13 at each of some places of the surface.
+TEST(IsolatedPoints, AreNotThoseBesideManyCopies)
+{
+  const Points single = conformal::makeGeodesicSphere(10).Positions;
+  const Points places = conformal::makeGeodesicSphere(4).Positions;
+  Points points(single.rows() + 13 * places.rows(), 3);
+  points << single, places.replicate(13, 1);
+  std::vector<std::uint8_t> marks = isolatedPoints(points);
+  EXPECT_EQ(std::count(marks.begin(), marks.end(), 1), 0);
+  points.row(500) *= 2.0;
+  marks = isolatedPoints(points);
+  EXPECT_EQ(std::count(marks.begin(), marks.end(), 1), 1);
+  EXPECT_EQ(marks[500], 1);
+  const Points copies = places.replicate(10, 1);
+  EXPECT_EQ(isolatedPoints(copies), std::vector<std::uint8_t>(copies.rows(), 0));
+}
+
 // A hundredth as dense at once, and thrown at random: most lie flat among their neighbors, which
 // points scattered in space do not.
 TEST(IsolatedPoints, AreNotThoseOfASparseHalfButThoseOfSpace)

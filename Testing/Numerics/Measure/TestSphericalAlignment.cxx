@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <stdexcept>
 
 using conformal::AlignmentKind;
@@ -71,6 +72,32 @@ TEST(SphericalAlignment, RefusesTooFewPlaces)
   const Eigen::VectorXd weights = Eigen::VectorXd::Ones(2);
   EXPECT_NO_THROW(alignSpheres(two, two, weights));
   EXPECT_THROW(alignSpheres(two, two, weights, AlignmentKind::Moebius), std::invalid_argument);
+}
+
+// Copies of one pair, or antipodal points, determine no rotation; copies determine no Moebius
+// transform.
+TEST(SphericalAlignment, RefusesPairsThatAreNotDifferent)
+{
+  Points points(4, 3);
+  points << 0.6, 0.8, 0.0, 0.6, 0.8, 0.0, -0.6, -0.8, 0.0, 0.0, 0.0, 1.0;
+  const auto refuses = [&](std::initializer_list<int> rows, AlignmentKind kind)
+  {
+    Points some(static_cast<Index>(rows.size()), 3);
+    Index i = 0;
+    for (const int row : rows)
+    {
+      some.row(i++) = points.row(row);
+    }
+    EXPECT_THROW(
+      alignSpheres(some, some, Eigen::VectorXd::Ones(some.rows()), kind), std::invalid_argument);
+  };
+  refuses({ 0, 1 }, AlignmentKind::Rotation);
+  refuses({ 0, 2 }, AlignmentKind::Rotation);
+  refuses({ 0, 1, 3 }, AlignmentKind::Moebius);
+  refuses({ 0, 1, 2, 1 }, AlignmentKind::Moebius);
+  EXPECT_NO_THROW(alignSpheres(points, points, Eigen::VectorXd::Ones(4)));
+  EXPECT_NO_THROW(alignSpheres(points, points, Eigen::VectorXd::Ones(4), AlignmentKind::Moebius));
+  EXPECT_THROW(alignSpheres(points, points, Eigen::VectorXd::Unit(4, 3)), std::invalid_argument);
 }
 
 // Two meshes of one object, mapped each on its own, the second one's map moved: conformal maps are
