@@ -4,6 +4,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/SphereImages.h"
+#include "Sphere/SphereOrientation.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -148,8 +149,10 @@ conformal::Points PlacesOfAll(const SurfaceToRegister& moving, const conformal::
   if (static_cast<conformal::Index>(moving.PointIds.size()) < places.rows())
   {
     const conformal::MappedMesh& mesh = moving.Core.Surface;
+    const conformal::Triangles outward =
+      conformal::turnedOutward(mesh.Triangles, mesh.SpherePositions);
     places = conformal::sampleAt(
-      conformal::SphereGrid({ mesh.SpherePositions, mesh.Triangles }), moved, moving.Map);
+      conformal::SphereGrid({ mesh.SpherePositions, outward }), moved, moving.Map);
     places.rowwise().normalize();
   }
   for (std::size_t v = 0; v < moving.PointIds.size(); ++v)
