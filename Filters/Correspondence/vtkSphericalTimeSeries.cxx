@@ -488,7 +488,7 @@ private:
       points->SetPoint(step.Registered.PointIds[v], p.data());
     }
     surface->SetPoints(points);
-    surface->GetPointData()->SetNormals(nullptr);
+    glue::RemoveNormals(surface);
   }
 
   std::vector<UsedStep> Used;
