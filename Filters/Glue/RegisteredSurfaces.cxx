@@ -69,7 +69,7 @@ std::vector<int> SurfaceToRegister::vertices() const
 SurfaceToRegister ToSurfaceToRegister(vtkObject* self, vtkPolyData* surface,
   const FeatureList& features, const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  ClosedMesh closed = ToClosedMesh(self, surface, frame, run);
+  ClosedMesh closed = ToClosedMesh(self, surface, frame, run, Topology::Closed, MeshUse::Copy);
   if (closed.InsideOut)
   {
     closed.Triangles.col(1).swap(closed.Triangles.col(2));
