@@ -10,7 +10,6 @@
 #include "Glue/Run.h"
 #include "Motion/DeformationTransfer.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -277,8 +276,7 @@ int vtkDeformationTransfer::RequestData(
       steps.next();
       const vtkNew<vtkPolyData> result;
       result->ShallowCopy(target);
-      result->GetPointData()->SetNormals(nullptr);
-      result->GetCellData()->SetNormals(nullptr);
+      glue::RemoveNormals(result);
       glue::SetPoints(result, shape.Positions, prepared->TargetFrame);
       glue::AddNumber(result->GetFieldData(), "TransferResidual", shape.Residual);
       output->ShallowCopy(result);

@@ -7,6 +7,7 @@
 #include "Glue/RegisteredSurfaces.h"
 #include "Glue/Run.h"
 #include "Register/SphericalRegistration.h"
+#include "Sphere/SphereOrientation.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -86,7 +87,8 @@ void AddTargets(vtkPointData* data, const conformal::Points& places,
     known[r] = { ids, cellIds[r] };
   }
   std::sort(known.begin(), known.end());
-  const conformal::SphereGrid grid({ mesh.SpherePositions, mesh.Triangles }, run);
+  const conformal::SphereGrid grid(
+    { mesh.SpherePositions, conformal::turnedOutward(mesh.Triangles, mesh.SpherePositions) }, run);
   vtkNew<vtkIdTypeArray> targetCells, targetPoints;
   targetCells->SetName("TargetCellId");
   targetCells->SetNumberOfValues(places.rows());

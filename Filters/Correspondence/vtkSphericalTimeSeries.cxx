@@ -134,6 +134,15 @@ void AddMotion(vtkPolyData* surface, const UsedStep& step, const conformal::Surf
   glue::AddNumbers(data, "ShearRate", OfAllPoints(step, motion.ShearRates));
 }
 
+// Set the time steps of both outputs, unless there are none.
+void SetTimesOf(vtkInformationVector* outputs, const std::vector<double>& times)
+{
+  for (int port = 0; port < 2 && !times.empty(); ++port)
+  {
+    glue::SetTimeSteps(outputs->GetInformationObject(port), times);
+  }
+}
+
 conformal::SurfaceMotion NoMotion(conformal::Index size)
 {
   conformal::SurfaceMotion motion;
@@ -167,28 +176,44 @@ public:
       [](const SeriesStep& step) { return step.Surface->GetNumberOfPoints() == 0; });
   }
 
+  // Return the times of separate inputs.
+  std::vector<double> CountedTimes(std::size_t size) const
+  {
+    std::vector<double> times(size);
+    for (std::size_t s = 0; s < size; ++s)
+    {
+      times[s] = this->Interval * static_cast<double>(s);
+    }
+    return times;
+  }
+
+  // Return the times of all time steps, also of those that are not read yet.
+  std::vector<double> AllTimes() const
+  {
+    return this->Times.empty() ? this->CountedTimes(this->Steps.size()) : this->Times;
+  }
+
   bool HasAll() const { return !this->Times.empty() && this->Steps.size() == this->Times.size(); }
 
   // Read the time steps that the input offers now: one of an input with time steps, otherwise all.
   void Read(vtkInformationVector* inputs)
   {
-    if (!this->Times.empty())
+    if (this->HasAll())
     {
-      if (!this->HasAll())
-      {
-        const auto surface = glue::Held(vtkPolyData::GetData(inputs));
-        this->Steps.push_back({ this->Times[this->Steps.size()],
-          surface ? surface : vtkSmartPointer<vtkPolyData>::New(), -1, {} });
-      }
       return;
     }
     glue::Surfaces surfaces;
     glue::AddSurfaces(inputs, surfaces);
-    this->Steps.clear();
-    for (const auto& surface : surfaces.Held)
+    if (!this->Times.empty())
     {
-      this->Steps.push_back(
-        { this->Interval * static_cast<double>(this->Steps.size()), surface, -1, {} });
+      this->AddStep(surfaces);
+      return;
+    }
+    this->Steps.clear();
+    const std::vector<double> times = this->CountedTimes(surfaces.Held.size());
+    for (std::size_t s = 0; s < times.size(); ++s)
+    {
+      this->Steps.push_back({ times[s], surfaces.Held[s], -1, {} });
     }
   }
 
@@ -201,13 +226,13 @@ public:
       glue::WarnOfEmptyInput(self, "all surfaces are empty; the output is empty");
       return;
     }
+    // Relative costs of reading each surface, registration and table.
     std::vector<double> shares(this->Steps.size(), 0.03 / static_cast<double>(this->Steps.size()));
-    shares.push_back(0.97);
-    // Relative costs of reading each surface and registration.
+    shares.insert(shares.end(), { 0.92, 0.05 });
     conformal::Steps progress(glue::RunOf(self), shares);
     this->Convert(self, landmarkArrayName, progress);
     this->Register(options, reference, progress.next());
-    this->Tabulate();
+    this->Tabulate(progress.next());
     this->IsDone = true;
     this->Warn(self);
   }
@@ -249,7 +274,22 @@ public:
   vtkTable* Table() const { return this->Rows; }
 
 private:
-  void Tabulate()
+  // Append the surface of the next time step of an input with time steps.
+  void AddStep(const glue::Surfaces& surfaces)
+  {
+    if (surfaces.Held.size() > 1)
+    {
+      throw std::invalid_argument("an input with time steps must be a single surface at each time, "
+                                  "but has " +
+        std::to_string(surfaces.Held.size()) + " at time step " +
+        std::to_string(this->Steps.size()));
+    }
+    const auto surface =
+      surfaces.Held.empty() ? vtkSmartPointer<vtkPolyData>::New() : surfaces.Held.front();
+    this->Steps.push_back({ this->Times[this->Steps.size()], surface, -1, {} });
+  }
+
+  void Tabulate(const conformal::Run& run)
   {
     vtkNew<vtkStringArray> states;
     vtkNew<vtkIdTypeArray> folds;
@@ -281,6 +321,7 @@ private:
         normals.back() = MeanOver(mesh, SpeedsOf(motion.Normal));
         tangents.back() = MeanOver(mesh, SpeedsOf(motion.Tangential));
       }
+      run.report(static_cast<double>(s + 1) / static_cast<double>(this->Steps.size()));
     }
     const double area = areas[this->Reference], volume = volumes[this->Reference];
     for (std::size_t s = 0; s < times.size(); ++s)
@@ -491,7 +532,7 @@ private:
       points->SetPoint(step.Registered.PointIds[v], p.data());
     }
     surface->SetPoints(points);
-    surface->GetPointData()->SetNormals(nullptr);
+    glue::RemoveNormals(surface);
   }
 
   std::vector<UsedStep> Used;
@@ -560,7 +601,7 @@ int vtkSphericalTimeSeries::RequestInformation(
   std::vector<double> times = this->Kept->Times;
   if (times.empty())
   {
-    // Blocks can be counted only if the input is up to date.
+    // Blocks can be counted only if the input is up to date. Otherwise, RequestData counts them.
     glue::Surfaces surfaces;
     try
     {
@@ -570,17 +611,10 @@ int vtkSphericalTimeSeries::RequestInformation(
     {
       return 1; // RequestData reports it
     }
-    times.resize(
+    times = this->Kept->CountedTimes(
       std::max<std::size_t>(surfaces.Held.size(), inputs[0]->GetNumberOfInformationObjects()));
-    for (std::size_t s = 0; s < times.size(); ++s)
-    {
-      times[s] = this->TimeInterval * static_cast<double>(s);
-    }
   }
-  for (int port = 0; port < 2 && !times.empty(); ++port)
-  {
-    glue::SetTimeSteps(outputs->GetInformationObject(port), times);
-  }
+  SetTimesOf(outputs, times);
   return 1;
 }
 
@@ -621,6 +655,7 @@ int vtkSphericalTimeSeries::RequestData(
       if (!series.IsDone)
       {
         series.Read(inputVector[0]);
+        SetTimesOf(outputVector, series.AllTimes());
         if (!series.Times.empty() && !series.HasAll())
         {
           request->Set(Executive::CONTINUE_EXECUTING(), 1);

@@ -8,12 +8,14 @@
  * computed from these maps.
  *
  * Input port 0 (repeatable): vtkPolyData, the surfaces. Either one input with time steps, or
- * separate inputs or blocks of composite data, one for each time step. All surfaces are closed, of
- * genus zero, in one coordinate system. Each surface has
+ * separate inputs or blocks of composite data, one for each time step. An input with time steps can
+ * also be composite data with a single surface at each time. All surfaces are closed, of genus
+ * zero, in one coordinate system. Each surface has
  * - point array "SpherePosition" (3 components): a map that covers the sphere once without folds.
  *
  * Output port 0: vtkPolyData with time steps, the surface at the requested time. Times of separate
- * inputs and of blocks are the multiples 0, 1, 2, ... of TimeInterval. Between two time steps, the
+ * inputs and of blocks are the multiples 0, 1, 2, ... of TimeInterval. Blocks are counted when the
+ * filter that makes them has run: before, the output has one time step. Between two time steps, the
  * output is the earlier surface with positions that are interpolated to the requested time. The
  * output has
  * - point array "SpherePosition" (double, 3 components): the deformed map.

@@ -3,11 +3,13 @@
 #include "Glue/Run.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
@@ -137,6 +139,13 @@ void AreasFromFrame(
   Require(square >= minimum, what);
   Eigen::Map<Eigen::VectorXd>(values, size) *= square;
   RequireFinite(values, size, what);
+}
+
+//------------------------------------------------------------------------------
+void RemoveNormals(vtkPolyData* surface)
+{
+  surface->GetPointData()->SetNormals(nullptr);
+  surface->GetCellData()->SetNormals(nullptr);
 }
 
 //------------------------------------------------------------------------------

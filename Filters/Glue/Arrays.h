@@ -74,6 +74,10 @@ void SetSurface(vtkPolyData* surface, const conformal::Points& points,
 /// Replace the polygons of a surface by triangles.
 void SetTriangles(vtkPolyData* surface, const conformal::Triangles& triangles);
 
+/// Remove the active normals of points and cells. Normals are wrong for other positions of the
+/// points.
+void RemoveNormals(vtkPolyData* surface);
+
 /// Replace the points of a surface by points in double precision. The points are converted from a
 /// frame to the user's coordinates.
 /// @throws std::overflow_error if a converted coordinate exceeds the range of doubles

@@ -16,9 +16,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace glue
 {
@@ -80,11 +83,22 @@ void PlaceImage(vtkImageData* image, const LayeredSurface& surface, const confor
   image->SetSpacing(across, up, isStack && z[1] > 0.0 ? z[1] : across);
 }
 
-std::string TextOfDepth(double depth)
+// Return names of layers: their depths with 6 digits. A depth that is 0 except for rounding errors
+// is 0.0.
+std::vector<std::string> TextsOfDepths(
+  const std::vector<double>& depths, const conformal::CoordinateFrame& frame)
 {
-  std::string text = std::to_string(depth);
-  text.erase(text.find_last_not_of('0') + 1);
-  return text.back() == '.' ? text + "0" : text;
+  const double rounding = 1e-9 * (depths.back() - depths.front());
+  std::vector<std::string> texts;
+  for (const double depth : depths)
+  {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << (std::abs(depth) > rounding ? depth * frame.Unit : 0.0);
+    const bool isWhole = text.str().find_first_of(".e") == std::string::npos;
+    texts.push_back(text.str() + (isWhole ? ".0" : ""));
+  }
+  return texts;
 }
 }
 
@@ -122,9 +136,10 @@ void AddLayers(vtkPolyData* output, const LayeredSurface& surface,
   AddLengths(output->GetFieldData(), "LayerDepths", surface.Depths, frame);
   AddNumber(
     output->GetFieldData(), "LayerFaults", static_cast<long long>(surface.Limits.NumberOfFaults));
+  const std::vector<std::string> names = TextsOfDepths(surface.Depths, frame);
   for (int i = 0; i < layers; ++i)
   {
-    values->SetComponentName(i, TextOfDepth(surface.Depths[i] * frame.Unit).c_str());
+    values->SetComponentName(i, names[i].c_str());
   }
 }
 

@@ -241,6 +241,25 @@ Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   done.Isolated = points.rows() - mesh.Positions.rows() - done.Merged;
   return done;
 }
+
+void WarnOfMeshRepairs(vtkObject* self, const Repairs& done, glue::MeshUse use)
+{
+  const auto warn = [&](conformal::Index number, const char* what)
+  {
+    if (number > 0)
+    {
+      vtkWarningWithObjectMacro(
+        self, << number << " " << what
+              << (use == glue::MeshUse::Copy ? " for the computation; the output keeps the points "
+                                               "and polygons of the input"
+                                             : ""));
+    }
+  };
+  warn(done.Merged, "coincident points of open edges were merged");
+  warn(done.Repeated, "triangles with a repeated point were dropped");
+  warn(done.Turned, "triangles were reversed for an orientation consistent with their neighbors");
+  warn(done.Isolated, "points that belong to no triangle were dropped");
+}
 }
 
 namespace glue
@@ -303,7 +322,8 @@ bool HaveEqualPolygons(vtkPolyData* a, vtkPolyData* b)
 
 //------------------------------------------------------------------------------
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
-  const conformal::CoordinateFrame& frame, const conformal::Run& run, Topology topology)
+  const conformal::CoordinateFrame& frame, const conformal::Run& run, Topology topology,
+  MeshUse use)
 {
   conformal::Steps steps(run, { 0.09, 0.01, 0.9 });
   steps.next();
@@ -324,27 +344,7 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   {
     throw std::invalid_argument(RejectionOf(report, topology));
   }
-  if (done.Merged > 0)
-  {
-    vtkWarningWithObjectMacro(
-      self, << done.Merged << " coincident points of open edges were merged");
-  }
-  if (done.Repeated > 0)
-  {
-    vtkWarningWithObjectMacro(
-      self, << done.Repeated << " triangles with a repeated point were dropped");
-  }
-  if (done.Turned > 0)
-  {
-    vtkWarningWithObjectMacro(
-      self, << done.Turned
-            << " triangles were reversed for an orientation consistent with their neighbors");
-  }
-  if (done.Isolated > 0)
-  {
-    vtkWarningWithObjectMacro(
-      self, << done.Isolated << " points that belong to no triangle were dropped");
-  }
+  WarnOfMeshRepairs(self, done, use);
   return mesh;
 }
 

@@ -60,6 +60,13 @@ struct ClosedMesh : conformal::Mesh
   int NumberOfHandles = 0; ///< 1 for a surface of genus 1
 };
 
+/// Use of a mesh of ToClosedMesh().
+enum class MeshUse
+{
+  Output, ///< the output of the filter has the points and triangles of the mesh
+  Copy    ///< the output keeps the points and polygons of the source surface
+};
+
 /// Convert a surface to a closed mesh. Defects that can be repaired without loss are repaired. One
 /// warning is issued for each kind of repair:
 /// - Coincident points of open edges (edges of only one triangle) are merged. In a polygon soup
@@ -72,13 +79,14 @@ struct ClosedMesh : conformal::Mesh
 /// @param[in] frame  coordinate frame of the result. The points of the surface must be among the
 ///   points from which the frame was computed.
 /// @param[in] topology  which surfaces are accepted
+/// @param[in] use  use of the mesh, for the warnings
 /// @throws std::invalid_argument if coordinates are not finite
 /// @throws std::invalid_argument if the repaired surface is not accepted, for example open, not
 ///   manifold, disconnected, or not of genus zero. The message contains the number of defects, such
 ///   as open edges.
 ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   const conformal::CoordinateFrame& frame, const conformal::Run& run = {},
-  Topology topology = Topology::Closed);
+  Topology topology = Topology::Closed, MeshUse use = MeshUse::Output);
 
 /// Return a copy of a closed mesh whose triangles are counter-clockwise seen from outside.
 conformal::Mesh Outward(const ClosedMesh& mesh);

@@ -4,6 +4,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/SphereImages.h"
+#include "Sphere/SphereOrientation.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -68,7 +69,7 @@ std::vector<int> SurfaceToRegister::vertices() const
 SurfaceToRegister ToSurfaceToRegister(vtkObject* self, vtkPolyData* surface,
   const FeatureList& features, const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
-  ClosedMesh closed = ToClosedMesh(self, surface, frame, run);
+  ClosedMesh closed = ToClosedMesh(self, surface, frame, run, Topology::Closed, MeshUse::Copy);
   if (closed.InsideOut)
   {
     closed.Triangles.col(1).swap(closed.Triangles.col(2));
@@ -148,8 +149,10 @@ conformal::Points PlacesOfAll(const SurfaceToRegister& moving, const conformal::
   if (static_cast<conformal::Index>(moving.PointIds.size()) < places.rows())
   {
     const conformal::MappedMesh& mesh = moving.Core.Surface;
+    const conformal::Triangles outward =
+      conformal::turnedOutward(mesh.Triangles, mesh.SpherePositions);
     places = conformal::sampleAt(
-      conformal::SphereGrid({ mesh.SpherePositions, mesh.Triangles }), moved, moving.Map);
+      conformal::SphereGrid({ mesh.SpherePositions, outward }), moved, moving.Map);
     places.rowwise().normalize();
   }
   for (std::size_t v = 0; v < moving.PointIds.size(); ++v)

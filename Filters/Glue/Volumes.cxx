@@ -1,6 +1,8 @@
 #include "Glue/Volumes.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
@@ -9,6 +11,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace glue
 {
@@ -31,6 +34,37 @@ vtkDataArray* VoxelsOf(vtkImageData* image, const std::string& name, int compone
   }
   return array;
 }
+
+// Copy a component of the tuples [Begin, End) of an array. A double between an integer and its
+// float gives the bits of vtkDataArray::GetComponent().
+struct CopyComponent
+{
+  int Component;
+  vtkIdType Begin, End;
+  float* Values;
+
+  template <typename Array>
+  void operator()(Array* array) const
+  {
+    const auto tuples = vtk::DataArrayTupleRange(array);
+    for (vtkIdType i = this->Begin; i < this->End; ++i)
+    {
+      this->Values[i] = static_cast<float>(static_cast<double>(tuples[i][this->Component]));
+    }
+  }
+};
+
+void RequireFiniteVoxels(const std::vector<float>& values, vtkIdType begin, vtkIdType end)
+{
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    if (!std::isfinite(values[i]))
+    {
+      throw std::invalid_argument("the value of voxel " + std::to_string(i) +
+        " is not finite, or exceeds the range of floats; replace it");
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -46,7 +80,7 @@ void RequestWholeImage(vtkInformation* inputInformation)
 
 //------------------------------------------------------------------------------
 conformal::VolumeImage ToVolume(vtkImageData* image, const std::string& name, int component,
-  const conformal::CoordinateFrame& frame)
+  const conformal::CoordinateFrame& frame, const conformal::Run& run)
 {
   vtkDataArray* array = VoxelsOf(image, name, component);
   conformal::VolumeImage volume;
@@ -65,15 +99,18 @@ conformal::VolumeImage ToVolume(vtkImageData* image, const std::string& name, in
     }
   }
   volume.Values.resize(static_cast<std::size_t>(volume.size()));
-  for (vtkIdType i = 0; i < static_cast<vtkIdType>(volume.Values.size()); ++i)
-  {
-    volume.Values[i] = static_cast<float>(array->GetComponent(i, component));
-    if (!std::isfinite(volume.Values[i]))
+  constexpr conformal::Index blockSize = conformal::Index(1) << 14;
+  // In order, so that the error message contains the first voxel that is not finite.
+  conformal::forBlocksReporting(run.inOrder(), volume.size(), blockSize,
+    [&](conformal::Index begin, conformal::Index end)
     {
-      throw std::invalid_argument("the value of voxel " + std::to_string(i) +
-        " is not finite, or exceeds the range of floats; replace it");
-    }
-  }
+      CopyComponent copy{ component, begin, end, volume.Values.data() };
+      if (!vtkArrayDispatch::Dispatch::Execute(array, copy))
+      {
+        copy(array);
+      }
+      RequireFiniteVoxels(volume.Values, begin, end);
+    });
   return volume;
 }
 }

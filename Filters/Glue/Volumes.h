@@ -3,6 +3,7 @@
 #define GlueVolumes_h
 
 #include "Base/CoordinateFrame.h" // for positions in a frame
+#include "Base/Run.h"             // for Run
 #include "Volume/VolumeImage.h"   // for the result
 
 #include <string> // for the name of an array
@@ -23,7 +24,7 @@ void RequestWholeImage(vtkInformation* inputInformation);
 /// @throws std::invalid_argument if the array or the component does not exist, or if a value is not
 ///   finite or exceeds the range of floats
 conformal::VolumeImage ToVolume(vtkImageData* image, const std::string& name, int component,
-  const conformal::CoordinateFrame& frame = {});
+  const conformal::CoordinateFrame& frame = {}, const conformal::Run& run = {});
 }
 
 #endif

@@ -23,7 +23,8 @@ namespace
 {
 void RequireFreeNames(const std::vector<std::string>& names, const std::string& label)
 {
-  const std::set<std::string> reserved = { glue::SpherePositionName(), "HitCount", "UMatrix" };
+  const std::set<std::string> reserved = { glue::SpherePositionName(), "HitCount", "UMatrix",
+    "Winner", "SecondWinner", "QuantizationError" };
   for (const std::string& name : names)
   {
     if (reserved.count(name) > 0 || reserved.count(label) > 0 || name == label)

@@ -33,7 +33,8 @@
  * - "QuantizationError" (double): distance between the row and the weight vector of its neuron.
  *
  * In rows that are left out, these three columns contain -1. Columns of the input with these names
- * are replaced.
+ * are replaced. Columns with these names, or with names of point arrays of port 0, can be neither
+ * learned nor LabelColumn.
  *
  * If Standardize is on, distances are measured between standardized values: differences are divided
  * by the standard deviation of the column. "UMatrix" and "QuantizationError" have no unit then.

@@ -330,7 +330,7 @@ void SetInputSurface(vtkPolyData* output, vtkPolyData* input, const HarmonicsJob
   const conformal::Columns& rebuilt, const FittedHarmonics& fit)
 {
   output->ShallowCopy(input);
-  output->GetPointData()->SetNormals(nullptr);
+  glue::RemoveNormals(output);
   glue::SetPoints(output, Moved(rebuilt.leftCols(3), fit.Alignment), fit.Frame);
   glue::AddVectors(output->GetPointData(), glue::SpherePositionName(),
     fit.Mesh.SpherePositions * fit.Alignment.MapRotation.transpose());

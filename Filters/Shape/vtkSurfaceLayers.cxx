@@ -212,9 +212,9 @@ int vtkSurfaceLayers::RequestData(
         return;
       }
       conformal::Steps steps(glue::RunOf(this), { 0.05, 0.55, 0.05, 0.35 });
-      steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
-      const conformal::VolumeImage volume = glue::ToVolume(image, name, component, frame);
+      const conformal::VolumeImage volume =
+        glue::ToVolume(image, name, component, frame, steps.next());
       ToFrame(properties, volume, frame);
       const vtkNew<vtkPolyData> result;
       const glue::LayeredSurface layered =

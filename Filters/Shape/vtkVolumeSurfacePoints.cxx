@@ -46,7 +46,12 @@ void SetSurfacePoints(vtkPolyData* output, const conformal::VolumeSurface& surfa
 void WarnOfFaults(vtkObject* self, const conformal::VolumeSurface& surface)
 {
   constexpr double accepted = 0.05;
-  if (surface.Positions.rows() == 0)
+  if (surface.ExceedsEverywhere)
+  {
+    vtkWarningWithObjectMacro(self, << "all values exceed the level " << surface.Level
+                                    << ", so there is no surface; choose a higher Level");
+  }
+  else if (surface.Positions.rows() == 0)
   {
     vtkWarningWithObjectMacro(
       self, << "no value exceeds the level " << surface.Level
@@ -99,8 +104,7 @@ int vtkVolumeSurfacePoints::RequestData(
         return;
       }
       conformal::Steps steps(glue::RunOf(this), { 0.05, 0.9, 0.05 }); // reading, core, output
-      steps.next();
-      conformal::VolumeImage volume = glue::ToVolume(image, name, component);
+      conformal::VolumeImage volume = glue::ToVolume(image, name, component, {}, steps.next());
       const conformal::VolumeSurface surface =
         conformal::sampleVolumeSurface(std::move(volume), options, steps.next());
       steps.next();

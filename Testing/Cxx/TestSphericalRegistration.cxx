@@ -10,6 +10,18 @@
 
 namespace
 {
+// Mirror the map of a surface.
+void Mirror(vtkPolyData* surface)
+{
+  vtkDataArray* map = surface->GetPointData()->GetArray("SpherePosition");
+  for (vtkIdType i = 0; i < map->GetNumberOfTuples(); ++i)
+  {
+    map->SetComponent(i, 0, -map->GetComponent(i, 0));
+  }
+  map->Modified();
+  surface->Modified();
+}
+
 class SphericalRegistration : public testing::Test
 {
 protected:
@@ -37,6 +49,34 @@ protected:
   double Field(const char* name, int component = 0)
   {
     return this->Filter->GetOutput()->GetFieldData()->GetArray(name)->GetComponent(0, component);
+  }
+  void ExpectTargetsWhereTheMapSays()
+  {
+    vtkPolyData* output = this->Filter->GetOutput();
+    vtkPointData* data = output->GetPointData();
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double place[3] = {}, map[3];
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      const auto cell = static_cast<vtkIdType>(data->GetArray("TargetCellId")->GetComponent(i, 0));
+      ASSERT_GE(cell, 0);
+      this->Fixed->GetCellPoints(cell, count, ids);
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto id =
+          static_cast<vtkIdType>(data->GetArray("TargetPointIds")->GetComponent(i, k));
+        EXPECT_TRUE(id == ids[0] || id == ids[1] || id == ids[2]);
+        this->Fixed->GetPointData()->GetArray("SpherePosition")->GetTuple(id, map);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          place[axis] += data->GetArray("TargetBarycentric")->GetComponent(i, k) * map[axis];
+        }
+      }
+      vtkMath::Normalize(place);
+      data->GetArray("SpherePosition")->GetTuple(i, map);
+      EXPECT_LT(std::sqrt(vtkMath::Distance2BetweenPoints(place, map)), 1e-9);
+    }
   }
   void ExpectRefused(const std::string& why)
   {
@@ -76,29 +116,31 @@ TEST_F(SphericalRegistration, WritesTheContractsArraysAndFindsTheTurn)
 TEST_F(SphericalRegistration, TargetsLieWhereTheMapSays)
 {
   this->Filter->Update();
-  vtkPolyData* output = this->Filter->GetOutput();
-  vtkPointData* data = output->GetPointData();
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  this->ExpectTargetsWhereTheMapSays();
+}
+
+TEST_F(SphericalRegistration, TargetsAndUnusedPointsOfMirroredMapsLieWhereTheMapSays)
+{
+  this->Moving->GetPoints()->InsertNextPoint(this->Moving->GetPoint(77));
+  vtkPointData* data = this->Moving->GetPointData();
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
-    double place[3] = {}, map[3];
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    const auto cell = static_cast<vtkIdType>(data->GetArray("TargetCellId")->GetComponent(i, 0));
-    ASSERT_GE(cell, 0);
-    this->Fixed->GetCellPoints(cell, count, ids);
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto id = static_cast<vtkIdType>(data->GetArray("TargetPointIds")->GetComponent(i, k));
-      EXPECT_TRUE(id == ids[0] || id == ids[1] || id == ids[2]);
-      this->Fixed->GetPointData()->GetArray("SpherePosition")->GetTuple(id, map);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        place[axis] += data->GetArray("TargetBarycentric")->GetComponent(i, k) * map[axis];
-      }
-    }
-    vtkMath::Normalize(place);
-    data->GetArray("SpherePosition")->GetTuple(i, map);
-    EXPECT_LT(std::sqrt(vtkMath::Distance2BetweenPoints(place, map)), 1e-9);
+    data->GetArray(k)->InsertNextTuple(data->GetArray(k)->GetTuple(77));
+  }
+  contract::Observed observed(this->Filter);
+  for (vtkPolyData* surface : { this->Moving.Get(), this->Fixed.Get() })
+  {
+    Mirror(surface);
+    this->Filter->Modified();
+    this->Filter->Update();
+    observed.ExpectWarning("1 points that belong to no triangle were dropped for the computation; "
+                           "the output keeps the points and polygons of the input");
+    this->ExpectTargetsWhereTheMapSays();
+    vtkDataArray* map = this->Filter->GetOutput()->GetPointData()->GetArray("SpherePosition");
+    double used[3], unused[3];
+    map->GetTuple(77, used);
+    map->GetTuple(map->GetNumberOfTuples() - 1, unused);
+    EXPECT_LT(std::sqrt(vtkMath::Distance2BetweenPoints(used, unused)), 1e-6);
   }
 }
 

@@ -226,6 +226,19 @@ TEST(SphericalSOM, TablesThatCannotBeUsedAreErrors)
   auto own = MakeTable();
   own->GetColumnByName("Large")->SetName("UMatrix");
   refused(own, "", "", "column \"UMatrix\" has the name of another array");
+  for (const char* name : { "Winner", "SecondWinner", "QuantizationError" })
+  {
+    auto again = MakeTable();
+    again->GetColumnByName("Large")->SetName(name);
+    const std::string message =
+      "column \"" + std::string(name) + "\" has the name of another array";
+    refused(again, "", "", message.c_str());
+    refused(again, "Count", name, message.c_str());
+    auto filter = MakeFilter(again); // neither learned nor the label
+    filter->AddColumn("Small");
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 92);
+  }
   vtkNew<vtkTable> words;
   words->AddColumn(MakeTable()->GetColumnByName("Kind"));
   refused(words, "", "", "no column of numbers");

@@ -5,13 +5,17 @@
 #include "vtkGeodesicSphereSource.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMassProperties.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -77,6 +81,47 @@ protected:
   }
 };
 vtkStandardNewMacro(Heads);
+
+// Source of composite data. With time steps 0 and 1, all blocks are the head at this time;
+// otherwise, block k is the head at time k.
+class HeadBlocks : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static HeadBlocks* New();
+  vtkTypeMacro(HeadBlocks, vtkMultiBlockDataSetAlgorithm);
+  int NumberOfBlocks = 1;
+  bool HasTimes = true;
+
+protected:
+  HeadBlocks() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    const double times[2] = { 0.0, 1.0 };
+    vtkInformation* info = outputs->GetInformationObject(0);
+    if (this->HasTimes)
+    {
+      info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 2);
+      info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), times, 2);
+    }
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    auto* blocks = vtkMultiBlockDataSet::GetData(outputs);
+    for (int k = 0; k < this->NumberOfBlocks; ++k)
+    {
+      blocks->SetBlock(k,
+        HeadAt(
+          this->HasTimes ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()) : k));
+    }
+    return 1;
+  }
+};
+vtkStandardNewMacro(HeadBlocks);
 
 class SphericalTimeSeries : public contract::FilterTest<vtkSphericalTimeSeries>
 {
@@ -239,6 +284,92 @@ TEST_F(SphericalTimeSeries, MotionBetweenTimeStepsIsThatOfTheTime)
     EXPECT_NEAR(speed() / first, 1.0, 1e-6) << time;
     EXPECT_NEAR(this->MeanOf("AreaRate") / area, 1.0, 0.15) << time;
   }
+}
+
+TEST_F(SphericalTimeSeries, ReadsTimeStepsOfBlocks)
+{
+  vtkNew<HeadBlocks> heads;
+  this->Filter->SetInputConnection(heads->GetOutputPort());
+  this->Filter->UpdateTimeStep(1.0);
+  this->Seen.ExpectWarning("");
+  EXPECT_NEAR(this->SizeOfOutput(), HeadAt(1.0)->GetLength(), 1e-9);
+  EXPECT_EQ(this->Filter->GetTable()->GetNumberOfRows(), 2);
+  heads->NumberOfBlocks = 2;
+  heads->Modified();
+  this->Filter->Update();
+  this->Seen.ExpectError("must be a single surface at each time, but has 2 at time step 0");
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
+  this->Seen.Clear();
+  heads->NumberOfBlocks = 0;
+  heads->Modified();
+  this->Filter->Update();
+  this->Seen.ExpectWarning("all surfaces are empty");
+}
+
+// Blocks of a filter that has not run yet cannot be counted before the update.
+TEST_F(SphericalTimeSeries, CountsBlocksThatAreMadeInTheUpdate)
+{
+  vtkNew<HeadBlocks> heads;
+  heads->NumberOfBlocks = 3;
+  heads->HasTimes = false;
+  this->Filter->SetTimeInterval(2.0);
+  this->Filter->SetInputConnection(heads->GetOutputPort());
+  this->Filter->Update();
+  vtkInformation* info = this->Filter->GetOutputInformation(0);
+  ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 3);
+  EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[2], 4.0);
+  this->Filter->UpdateTimeStep(4.0);
+  EXPECT_NEAR(this->SizeOfOutput(), HeadAt(2.0)->GetLength(), 1e-9);
+  this->Seen.ExpectWarning("");
+}
+
+// The rows of the table, the last part of the computation, have equal shares of the progress.
+TEST_F(SphericalTimeSeries, ReportsEachRowOfTheTable)
+{
+  for (const double time : { 0.0, 1.0, 2.0, 3.0 })
+  {
+    this->Filter->AddInputDataObject(HeadAt(time));
+  }
+  std::vector<double> reports;
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetClientData(&reports);
+  keep->SetCallback(
+    [](vtkObject* caller, unsigned long, void* client, void*)
+    {
+      auto* kept = static_cast<std::vector<double>*>(client);
+      const double progress = static_cast<vtkAlgorithm*>(caller)->GetProgress();
+      if (kept->empty() || progress > kept->back())
+      {
+        kept->push_back(progress);
+      }
+    });
+  this->Filter->AddObserver(vtkCommand::ProgressEvent, keep);
+  this->Filter->Update();
+  const std::size_t size = reports.size();
+  ASSERT_GT(size, 5U);
+  EXPECT_EQ(reports.back(), 1.0);
+  for (std::size_t i = size - 4; i < size; ++i)
+  {
+    EXPECT_NEAR(reports[i] - reports[i - 1], 1.0 - reports[size - 2], 1e-9);
+  }
+}
+
+TEST_F(SphericalTimeSeries, RemovesNormalsOfInterpolatedSurfaces)
+{
+  for (const double time : { 0.0, 1.0 })
+  {
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(HeadAt(time));
+    normals->SplittingOff();
+    normals->ComputeCellNormalsOn();
+    normals->Update();
+    this->Filter->AddInputDataObject(normals->GetOutput());
+  }
+  this->Filter->UpdateTimeStep(1.0);
+  EXPECT_NE(this->Filter->GetOutput()->GetCellData()->GetNormals(), nullptr);
+  this->Filter->UpdateTimeStep(0.5);
+  EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(this->Filter->GetOutput()->GetCellData()->GetNormals(), nullptr);
 }
 
 TEST_F(SphericalTimeSeries, SkipsSurfacesThatCannotBeUsed)

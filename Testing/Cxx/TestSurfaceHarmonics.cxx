@@ -4,6 +4,7 @@
 #include "MeshFixtures.h"
 #include "vtkSurfaceHarmonicsSource.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkPolyDataNormals.h"
@@ -190,6 +191,21 @@ TEST_F(SurfaceHarmonics, InputIsRebuiltOnItsMesh)
   EXPECT_NEAR(ValueOf(table, 1, 0, "Number"), std::sqrt(4.0 * vtkMath::Pi() / 3.0), 1e-12);
   EXPECT_NEAR(FieldValue(output, "HarmonicPower_Number", 0), 49.0, 1e-11);
   EXPECT_NEAR(FieldValue(output, "HarmonicPower_Pair", 0), 25.0, 1e-11);
+}
+
+TEST_F(SurfaceHarmonics, NormalsOfTheInputAreRemoved)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(this->Surface);
+  normals->SplittingOff();
+  normals->ComputeCellNormalsOn();
+  normals->Update();
+  ASSERT_NE(normals->GetOutput()->GetCellData()->GetNormals(), nullptr);
+  this->Filter->SetInputData(normals->GetOutput());
+  this->Run();
+  EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(this->Filter->GetOutput()->GetCellData()->GetNormals(), nullptr);
+  EXPECT_NE(normals->GetOutput()->GetCellData()->GetNormals(), nullptr);
 }
 
 TEST_F(SurfaceHarmonics, LowDegreesAreLessThanAll)

@@ -217,6 +217,9 @@ TEST_F(Meshes, DropsIsolatedPointsAndRepeatedTrianglesAndWarns)
   const std::string warnings = this->Observed.WarningMessage();
   EXPECT_NE(warnings.find("1 triangles with a repeated point"), std::string::npos);
   EXPECT_NE(warnings.find("1 points that belong to no triangle"), std::string::npos);
+  EXPECT_EQ(warnings.find("the output keeps"), std::string::npos);
+  ToClosedMesh(this->Filter, surface, {}, {}, glue::Topology::Closed, glue::MeshUse::Copy);
+  this->Observed.ExpectWarning("the output keeps the points and polygons of the input");
 }
 
 TEST_F(Meshes, TellsInsideOutAndLeavesIt)

@@ -22,8 +22,6 @@ LayerSampler::LayerSampler(
   const VolumeImage& volume, std::vector<double> depths, double first, double last)
   : Volume(volume)
   , Depths(std::move(depths))
-  , First(first)
-  , Last(last)
   , ToIndex(volume.Axes.inverse())
 {
   if (volume.size() == 0)
@@ -38,8 +36,13 @@ LayerSampler::LayerSampler(
   const auto [lowest, highest] = std::minmax_element(volume.Values.begin(), volume.Values.end());
   this->Lowest = *lowest;
   this->Highest = *highest;
+  // Depths are rounded: a layer at an end of the range can be slightly beyond it.
+  const double rounding =
+    this->Depths.empty() ? 0.0 : 1e-9 * (this->Depths.back() - this->Depths.front());
+  this->First = first - rounding;
+  this->Last = last + rounding;
   if (std::none_of(this->Depths.begin(), this->Depths.end(),
-        [&](double depth) { return depth >= first && depth <= last; }))
+        [this](double depth) { return this->isInRange(depth); }))
   {
     throw std::invalid_argument("no layer is in the range of depths to summarize");
   }
@@ -76,15 +79,13 @@ LayerSummary LayerSampler::summarize(const float* values, double inward, double 
   const int size = this->numberOfLayers();
   int nearest = -1, best = -1, count = 0;
   double sum = 0.0;
-  const auto isUsed = [&](int i)
-  {
-    return i >= 0 && i < size && this->Depths[i] >= this->First && this->Depths[i] <= this->Last &&
-      apart(this->Depths[i]) == 0.0;
+  const auto isUsed = [&](int i) {
+    return i >= 0 && i < size && this->isInRange(this->Depths[i]) && apart(this->Depths[i]) == 0.0;
   };
   for (int i = 0; i < size; ++i)
   {
-    const bool isInRange = this->Depths[i] >= this->First && this->Depths[i] <= this->Last;
-    if (isInRange && (nearest < 0 || apart(this->Depths[i]) < apart(this->Depths[nearest])))
+    if (this->isInRange(this->Depths[i]) &&
+      (nearest < 0 || apart(this->Depths[i]) < apart(this->Depths[nearest])))
     {
       nearest = i;
     }

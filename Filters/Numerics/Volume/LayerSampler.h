@@ -30,7 +30,8 @@ class LayerSampler
 public:
   /// @param[in] volume  kept by reference; its axes must be independent
   /// @param[in] depths  depths of the layers, ascending; positive outward
-  /// @param[in] first, last  range of depths that summarize() considers
+  /// @param[in] first, last  range of depths that summarize() considers. Depths that exceed the
+  ///   range by up to 1e-9 of the distance between the first and the last layer are in the range.
   /// @throws std::invalid_argument if the volume is empty, its axes are not independent, or no
   ///   depth is in the range
   LayerSampler(const VolumeImage& volume, std::vector<double> depths, double first, double last);
@@ -50,9 +51,11 @@ public:
   LayerSummary summarize(const float* values, double inward, double outward) const;
 
 private:
+  bool isInRange(double depth) const { return depth >= this->First && depth <= this->Last; }
+
   const VolumeImage& Volume;
   std::vector<double> Depths;
-  double First, Last;
+  double First = 0.0, Last = 0.0;
   double Lowest = 0.0, Highest = 0.0; ///< range of the values of the image
   Eigen::Matrix3d ToIndex;
 };

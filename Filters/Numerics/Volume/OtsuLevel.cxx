@@ -8,7 +8,7 @@
 namespace conformal
 {
 //------------------------------------------------------------------------------
-double otsuLevel(const std::vector<float>& values)
+double otsuLevel(const std::vector<float>& values, const Run& run)
 {
   if (values.empty())
   {
@@ -22,10 +22,15 @@ double otsuLevel(const std::vector<float>& values)
   }
   constexpr int bins = 1024;
   std::array<std::int64_t, bins> counts{};
-  for (const float value : values)
-  {
-    ++counts[std::min(bins - 1, static_cast<int>((value - low) / range * bins))];
-  }
+  constexpr Index blockSize = Index(1) << 14;
+  forBlocksReporting(run.inOrder(), static_cast<Index>(values.size()), blockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        ++counts[std::min(bins - 1, static_cast<int>((values[i] - low) / range * bins))];
+      }
+    });
   // In the unit of one bin: omega(k) of Eq. 6 and mu(k) of Eq. 7, and mu_T of Eq. 8.
   const auto total = static_cast<double>(values.size());
   double mean = 0.0;

@@ -3,6 +3,8 @@
 #ifndef ConformalOtsuLevel_h
 #define ConformalOtsuLevel_h
 
+#include "Base/Run.h"
+
 #include <vector>
 
 namespace conformal
@@ -12,7 +14,7 @@ namespace conformal
 /// value. The result is a border of two bins. If all values are equal, the result is this value.
 /// @param[in] values  finite, at least one
 /// @throws std::invalid_argument if there are no values
-double otsuLevel(const std::vector<float>& values);
+double otsuLevel(const std::vector<float>& values, const Run& run = {});
 }
 
 #endif

@@ -14,9 +14,37 @@ namespace
 {
 using Mask = std::vector<std::uint8_t>;
 
-// Mark the voxels that face neighbors connect to the seeds, in the given space.
-Mask filled(const VolumeImage& grid, const Mask& space, std::vector<Index> seeds)
+constexpr Index BlockSize = Index(1) << 14; // voxels of a block of a short loop
+
+// Report the progress of a flood of voxels.
+class FloodReports
 {
+public:
+  FloodReports(const Run& run, Index numberOfVoxels)
+    : Watched(run)
+    , NumberOfVoxels(numberOfVoxels)
+  {
+  }
+
+  void count()
+  {
+    constexpr Index interval = Index(1) << 20;
+    if (++this->Done % interval == 0)
+    {
+      this->Watched.report(
+        static_cast<double>(this->Done) / static_cast<double>(this->NumberOfVoxels));
+    }
+  }
+
+private:
+  const Run& Watched;
+  Index NumberOfVoxels, Done = 0;
+};
+
+// Mark the voxels that face neighbors connect to the seeds, in the given space.
+Mask filled(const VolumeImage& grid, const Mask& space, std::vector<Index> seeds, const Run& run)
+{
+  FloodReports reports(run, grid.size());
   Mask reached(space.size(), 0);
   const std::array<Index, 3> steps = { 1, grid.Size[0], grid.Size[0] * grid.Size[1] };
   for (const Index seed : seeds)
@@ -27,6 +55,7 @@ Mask filled(const VolumeImage& grid, const Mask& space, std::vector<Index> seeds
   {
     const Index voxel = seeds.back();
     seeds.pop_back();
+    reports.count();
     for (int a = 0; a < 3; ++a)
     {
       const Index at = voxel / steps[a] % grid.Size[a];
@@ -45,12 +74,15 @@ Mask filled(const VolumeImage& grid, const Mask& space, std::vector<Index> seeds
 }
 
 // Keep the largest part of a mask, or the first of those of equal size.
-void keepLargest(const VolumeImage& grid, Mask& mask)
+void keepLargest(const VolumeImage& grid, Mask& mask, const Run& run)
 {
+  FloodReports reports(
+    run, 2 * grid.size()); // each voxel is visited once, and flooded at most once
   Mask left = mask;
   std::vector<Index> best;
   for (Index voxel = 0; voxel < static_cast<Index>(mask.size()); ++voxel)
   {
+    reports.count();
     if (!left[voxel])
     {
       continue;
@@ -61,6 +93,7 @@ void keepLargest(const VolumeImage& grid, Mask& mask)
     const std::array<Index, 3> steps = { 1, grid.Size[0], grid.Size[0] * grid.Size[1] };
     for (std::size_t next = 0; next < part.size(); ++next)
     {
+      reports.count();
       for (int a = 0; a < 3; ++a)
       {
         const Index at = part[next] / steps[a] % grid.Size[a];
@@ -87,6 +120,31 @@ void keepLargest(const VolumeImage& grid, Mask& mask)
   }
 }
 
+// Move all objects but the largest to the outside.
+void leaveOthersOutside(const VolumeImage& grid, Mask& outside, Mask& object, const Run& run)
+{
+  Steps steps(run, { 0.15, 0.7, 0.15 });
+  Mask inside(outside.size());
+  forBlocksReporting(steps.next(), grid.size(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        inside[i] = !outside[i];
+      }
+    });
+  keepLargest(grid, inside, steps.next());
+  forBlocksReporting(steps.next(), grid.size(), BlockSize,
+    [&](Index begin, Index end)
+    {
+      for (Index i = begin; i < end; ++i)
+      {
+        outside[i] = !inside[i];
+        object[i] = object[i] && inside[i];
+      }
+    });
+}
+
 // Copy of the grid with a margin on all sides, without values.
 VolumeImage padded(const VolumeImage& volume, Index margin)
 {
@@ -99,18 +157,22 @@ VolumeImage padded(const VolumeImage& volume, Index margin)
 }
 
 template <typename Visit>
-void forVoxels(const VolumeImage& volume, const VolumeImage& grid, Index margin, Visit visit)
+void forVoxels(
+  const VolumeImage& volume, const VolumeImage& grid, Index margin, const Run& run, Visit visit)
 {
-  for (Index k = 0; k < volume.Size[2]; ++k)
-  {
-    for (Index j = 0; j < volume.Size[1]; ++j)
+  const Index length = std::max<Index>(volume.Size[0], 1), rows = volume.Size[1] * volume.Size[2];
+  forBlocksReporting(run, rows, std::max<Index>(BlockSize / length, 1),
+    [&](Index begin, Index end)
     {
-      for (Index i = 0; i < volume.Size[0]; ++i)
+      for (Index row = begin; row < end; ++row)
       {
-        visit(volume.id(i, j, k), grid.id(i + margin, j + margin, k + margin));
+        const Index j = row % volume.Size[1], k = row / volume.Size[1];
+        for (Index i = 0; i < volume.Size[0]; ++i)
+        {
+          visit(volume.id(i, j, k), grid.id(i + margin, j + margin, k + margin));
+        }
       }
-    }
-  }
+    });
 }
 }
 
@@ -123,34 +185,24 @@ std::vector<std::uint8_t> markOutside(
   {
     throw std::invalid_argument("the closing radius must be in [0, 100] voxels");
   }
-  Steps steps(run, { 0.4, 0.3, 0.3 }); // distance, filling, distance
+  // Object, distance, outside, largest object, distance and result.
+  Steps steps(run, { 0.05, 0.3, 0.2, options.LargestObject ? 0.1 : 0.0, 0.3, 0.05 });
   const Index margin = static_cast<Index>(std::ceil(radius)) + 2;
   const VolumeImage grid = padded(volume, margin);
   Mask object(static_cast<std::size_t>(grid.size()), 0);
-  forVoxels(volume, grid, margin,
+  forVoxels(volume, grid, margin, steps.next(),
     [&](Index from, Index to) { object[to] = volume.Values[from] > options.Level; });
-  Mask free = farFrom(grid.Size, object, radius, steps.next());
-  const Run watch = steps.next();
-  Mask outside = filled(grid, free, { 0 });
-  watch.report(0.5);
+  const Mask free = farFrom(grid.Size, object, radius, steps.next());
+  Mask outside = filled(grid, free, { 0 }, steps.next());
+  const Run largest = steps.next();
   if (options.LargestObject)
   {
-    Mask inside(outside.size());
-    for (std::size_t i = 0; i < inside.size(); ++i)
-    {
-      inside[i] = !outside[i];
-    }
-    keepLargest(grid, inside);
-    for (std::size_t i = 0; i < inside.size(); ++i)
-    {
-      outside[i] = !inside[i];
-      object[i] = object[i] && inside[i];
-    }
+    leaveOthersOutside(grid, outside, object, largest);
   }
   const Mask far = farFrom(grid.Size, outside, radius, steps.next());
   Mask result(volume.Values.size());
-  forVoxels(
-    volume, grid, margin, [&](Index to, Index from) { result[to] = !far[from] && !object[from]; });
+  forVoxels(volume, grid, margin, steps.next(),
+    [&](Index to, Index from) { result[to] = !far[from] && !object[from]; });
   return result;
 }
 }

@@ -31,7 +31,8 @@ void smoothAlong(VolumeImage& volume, int axis, const std::vector<double>& weigh
 {
   const Index length = volume.Size[axis], radius = static_cast<Index>(weights.size()) / 2;
   const Index step = axis == 0 ? 1 : axis == 1 ? volume.Size[0] : volume.Size[0] * volume.Size[1];
-  constexpr Index blockSize = 64;
+  // Blocks have fewer lines if each line is costly, so that reports are frequent.
+  const Index blockSize = std::clamp<Index>(1024 / static_cast<Index>(weights.size()), 1, 64);
   forBlocksReporting(run, volume.size() / length, blockSize,
     [&](Index begin, Index end)
     {

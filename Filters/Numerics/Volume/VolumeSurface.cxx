@@ -16,8 +16,8 @@ namespace
 {
 using Mask = std::vector<std::uint8_t>;
 
-// Crossings of the edges that begin in one slice of voxels, in voxels.
-struct Slice
+// Crossings of the edges that begin in a part of a slice of voxels, in voxels.
+struct SlicePart
 {
   std::vector<Vector3> Positions, Descents;
   Index NumberOfCuts = 0;
@@ -34,26 +34,44 @@ public:
   {
   }
 
-  // Collect the crossings of the slice k, in [-1, Size[2]). A slice beyond the image is empty.
-  Slice of(Index k) const
+  // Collect the crossings of all parts of slices, from the first slice to the last.
+  std::vector<SlicePart> collect(const Run& run) const
   {
-    Slice slice;
     const auto& size = this->Volume.Size;
-    for (Index j = -1; j < size[1]; ++j)
+    constexpr Index voxelsOfPart = Index(1) << 14;
+    const Index rows = std::max<Index>(voxelsOfPart / (size[0] + 1), 1),
+                partsOfSlice = size[1] / rows + 1;
+    std::vector<SlicePart> parts((size[2] + 1) * partsOfSlice);
+    forBlocksReporting(run, static_cast<Index>(parts.size()), 1,
+      [&](Index part, Index)
+      {
+        const Index first = part % partsOfSlice * rows - 1;
+        this->cross(part / partsOfSlice - 1, first, std::min(first + rows, size[1]), parts[part]);
+      });
+    return parts;
+  }
+
+  // Return whether all values exceed the level.
+  bool exceedsEverywhere() const { return this->Lowest > this->Level; }
+
+private:
+  // Collect the crossings of the rows [begin, end) of the slice k. Rows and slices begin at -1,
+  // beyond the image.
+  void cross(Index k, Index begin, Index end, SlicePart& part) const
+  {
+    for (Index j = begin; j < end; ++j)
     {
-      for (Index i = -1; i < size[0]; ++i)
+      for (Index i = -1; i < this->Volume.Size[0]; ++i)
       {
         const std::array<Index, 3> voxel = { i, j, k };
         for (int axis = 0; axis < 3; ++axis)
         {
-          this->cross(voxel, axis, slice);
+          this->crossEdge(voxel, axis, part);
         }
       }
     }
-    return slice;
   }
 
-private:
   bool isInImage(const std::array<Index, 3>& v) const
   {
     bool isIn = true;
@@ -89,7 +107,7 @@ private:
     return descent;
   }
 
-  void cross(const std::array<Index, 3>& from, int axis, Slice& slice) const
+  void crossEdge(const std::array<Index, 3>& from, int axis, SlicePart& part) const
   {
     std::array<Index, 3> to = from;
     ++to[axis];
@@ -112,9 +130,9 @@ private:
     {
       descent = side * Vector3::Unit(axis); // another surface is next to the edge
     }
-    slice.Positions.push_back(position);
-    slice.Descents.push_back(descent);
-    slice.NumberOfCuts += !this->isInImage(from) || !this->isInImage(to);
+    part.Positions.push_back(position);
+    part.Descents.push_back(descent);
+    part.NumberOfCuts += !this->isInImage(from) || !this->isInImage(to);
   }
 
   const VolumeImage& Volume;
@@ -122,7 +140,7 @@ private:
   double Level, Lowest;
 };
 
-VolumeSurface joined(const std::vector<Slice>& slices, const VolumeImage& volume)
+VolumeSurface joined(const std::vector<SlicePart>& parts, const VolumeImage& volume)
 {
   // Covariant: gradients change by the inverse transposed matrix.
   const Eigen::Matrix3d toNormal = volume.Axes.inverse().transpose();
@@ -132,22 +150,22 @@ VolumeSurface joined(const std::vector<Slice>& slices, const VolumeImage& volume
                                 "independent, and not extremely large or small");
   }
   Index size = 0;
-  for (const Slice& slice : slices)
+  for (const SlicePart& part : parts)
   {
-    size += static_cast<Index>(slice.Positions.size());
+    size += static_cast<Index>(part.Positions.size());
   }
   VolumeSurface surface;
   surface.Positions.resize(size, 3);
   surface.Normals.resize(size, 3);
   Index next = 0, cuts = 0;
-  for (const Slice& slice : slices)
+  for (const SlicePart& part : parts)
   {
-    for (std::size_t i = 0; i < slice.Positions.size(); ++i, ++next)
+    for (std::size_t i = 0; i < part.Positions.size(); ++i, ++next)
     {
-      surface.Positions.row(next) = volume.Origin + volume.Axes * slice.Positions[i];
-      surface.Normals.row(next) = unitVector(toNormal * unitVector(slice.Descents[i]));
+      surface.Positions.row(next) = volume.Origin + volume.Axes * part.Positions[i];
+      surface.Normals.row(next) = unitVector(toNormal * unitVector(part.Descents[i]));
     }
-    cuts += slice.NumberOfCuts;
+    cuts += part.NumberOfCuts;
   }
   surface.CutFraction = size > 0 ? static_cast<double>(cuts) / static_cast<double>(size) : 0.0;
   return surface;
@@ -168,16 +186,14 @@ VolumeSurface sampleVolumeSurface(
   }
   Steps steps(run, { 0.5, 0.1, 0.3, 0.1 }); // smoothing, level, outside, crossings
   smoothVolume(volume, options.Smoothing, steps.next());
-  steps.next();
-  const double level = options.UseOtsuLevel ? otsuLevel(volume.Values) : options.Level;
+  const Run otsu = steps.next();
+  const double level = options.UseOtsuLevel ? otsuLevel(volume.Values, otsu) : options.Level;
   const Mask outside =
     markOutside(volume, { level, options.ClosingRadius, options.LargestObject }, steps.next());
   const Crossings crossings(volume, outside, level);
-  std::vector<Slice> slices(volume.Size[2] + 1);
-  forBlocksReporting(steps.next(), static_cast<Index>(slices.size()), 1,
-    [&](Index begin, Index) { slices[begin] = crossings.of(begin - 1); });
-  VolumeSurface surface = joined(slices, volume);
+  VolumeSurface surface = joined(crossings.collect(steps.next()), volume);
   surface.Level = level;
+  surface.ExceedsEverywhere = crossings.exceedsEverywhere();
   return surface;
 }
 }

@@ -21,9 +21,10 @@ struct VolumeSurfaceOptions
 /// Points on the outer surface of an object.
 struct VolumeSurface
 {
-  Points Positions;   ///< #P by 3
-  Points Normals;     ///< #P by 3 unit vectors towards the outside
-  double Level = 0.0; ///< level that was used
+  Points Positions;               ///< #P by 3
+  Points Normals;                 ///< #P by 3 unit vectors towards the outside
+  double Level = 0.0;             ///< level that was used
+  bool ExceedsEverywhere = false; ///< whether all values exceed the level; then there are no points
   /// Fraction of the points at the border of the image, where the object is cut
   double CutFraction = 0.0;
 };

@@ -80,16 +80,27 @@ private:
 std::vector<std::uint8_t> farFrom(const std::array<Index, 3>& size,
   const std::vector<std::uint8_t>& set, double radius, const Run& run)
 {
+  const auto number = static_cast<Index>(set.size());
+  constexpr Index voxelsOfBlock = Index(1) << 14;
+  const double share = radius > 0.0 ? 1.0 : 0.0;
+  Steps steps(run, { 0.2, share, share, share, 0.2 }); // set, three axes, result
   std::vector<float> squares(set.size());
-  std::transform(set.begin(), set.end(), squares.begin(),
-    [](std::uint8_t isIn) { return isIn ? 0.0F : Infinite; });
-  Steps steps(run, { 1.0, 1.0, 1.0 });
-  for (int axis = 0; axis < 3 && radius > 0.0; ++axis)
+  forBlocksReporting(steps.next(), number, voxelsOfBlock,
+    [&](Index begin, Index end)
+    {
+      std::transform(set.data() + begin, set.data() + end, squares.data() + begin,
+        [](std::uint8_t isIn) { return isIn ? 0.0F : Infinite; });
+    });
+  for (int axis = 0; axis < 3; ++axis)
   {
+    const Run along = steps.next();
+    if (!(radius > 0.0))
+    {
+      continue;
+    }
     const Index length = size[axis], step = axis == 0 ? 1 : axis == 1 ? size[0] : size[0] * size[1];
-    constexpr Index blockSize = 64;
-    forBlocksReporting(steps.next(), static_cast<Index>(set.size()) / std::max<Index>(length, 1),
-      blockSize,
+    constexpr Index linesOfBlock = 64;
+    forBlocksReporting(along, number / std::max<Index>(length, 1), linesOfBlock,
       [&](Index begin, Index end)
       {
         Envelope envelope(length);
@@ -100,8 +111,12 @@ std::vector<std::uint8_t> farFrom(const std::array<Index, 3>& size,
       });
   }
   std::vector<std::uint8_t> far(set.size());
-  std::transform(squares.begin(), squares.end(), far.begin(),
-    [&](float square) { return static_cast<std::uint8_t>(square > radius * radius); });
+  forBlocksReporting(steps.next(), number, voxelsOfBlock,
+    [&](Index begin, Index end)
+    {
+      std::transform(squares.data() + begin, squares.data() + end, far.data() + begin,
+        [&](float square) { return static_cast<std::uint8_t>(square > radius * radius); });
+    });
   return far;
 }
 }

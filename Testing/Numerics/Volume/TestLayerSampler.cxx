@@ -65,6 +65,26 @@ TEST(LayerSampler, EndsAtTheLimits)
   EXPECT_EQ(far.DepthOfMaximum, 0.5);
 }
 
+// The depths of these layers are rounded, and some of them are beyond the ends of the range.
+TEST(LayerSampler, LayersAtTheEndsOfTheRangeAreUsed)
+{
+  const VolumeImage volume = sheet();
+  const auto meanOf = [&](const std::vector<double>& depths, double first, double last)
+  {
+    std::vector<float> values;
+    for (const double depth : depths)
+    {
+      const bool isAtEnd = std::min(std::abs(depth - first), std::abs(depth - last)) < 1e-6;
+      values.push_back(isAtEnd ? 1.0F : 0.0F);
+    }
+    return LayerSampler(volume, depths, first, last).summarize(values.data(), 9.0, 9.0).Mean;
+  };
+  EXPECT_NEAR(meanOf(layerDepths(-1.0, 1.0, 21), -0.3, 0.3), 2.0 / 7.0, 1e-12);
+  EXPECT_NEAR(meanOf(layerDepths(-2.0, 2.0, 21), -0.6, 0.6), 2.0 / 7.0, 1e-12);
+  EXPECT_NEAR(meanOf(layerDepths(-3.0, 3.0, 31), -1.4, 1.4), 2.0 / 15.0, 1e-12);
+  EXPECT_NEAR(meanOf(layerDepths(-3.0, 3.0, 31), 1.2, 1.2), 1.0, 1e-12);
+}
+
 TEST(LayerSampler, IsZeroOutsideOfTheImage)
 {
   const VolumeImage volume =

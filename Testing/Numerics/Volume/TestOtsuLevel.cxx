@@ -1,6 +1,7 @@
 #include "Volume/OtsuLevel.h"
 
 #include "Base/Random.h"
+#include "Runs.h"
 
 #include <gtest/gtest.h>
 
@@ -50,4 +51,5 @@ TEST(OtsuLevel, IsBetweenTwoGroups)
   EXPECT_NEAR(otsuLevel(values), 30.0, 0.1);
   EXPECT_EQ(otsuLevel(std::vector<float>(5, 3.0F)), 3.0);
   EXPECT_THROW(otsuLevel({}), std::invalid_argument);
+  EXPECT_THROW(otsuLevel(values, runs::stoppingAt(0.5)), conformal::Aborted);
 }

@@ -56,6 +56,22 @@ TEST(OutsideMask, OtherObjectsAreOutsideIfOnlyTheLargestIsKept)
   EXPECT_FALSE(isOutside(volume, markOutside(volume, { 0.5, 1.0, true }), 20, 20, 20));
 }
 
+TEST(OutsideMask, ReportsWhileItFillsTheImage)
+{
+  const VolumeImage volume = volumes::of({ 150, 150, 150 }, { 1.0, 1.0, 1.0 },
+    [](const Vector3& x) { return x.norm() < 60.0 ? 1.0 : 0.0; });
+  runs::Watch watch;
+  markOutside(volume, { 0.5, 0.0, true }, watch.run());
+  double before = 0.0, longest = 0.0;
+  for (const double fraction : watch.fractions())
+  {
+    longest = std::max(longest, fraction - before);
+    before = fraction;
+  }
+  EXPECT_EQ(before, 1.0);
+  EXPECT_LT(longest, 0.1);
+}
+
 TEST(OutsideMask, WithoutAnObjectAllIsOutside)
 {
   const VolumeImage volume = shell(0.0);

@@ -54,6 +54,16 @@ TEST(VolumeSmoothing, ConstantImagesStayConstant)
   }
 }
 
+// Each line of voxels costs as many operations as there are weights.
+TEST(VolumeSmoothing, ReportsMoreOftenIfWeightsAreMany)
+{
+  VolumeImage volume =
+    volumes::of({ 4, 40, 40 }, { 1, 1, 1 }, [](const Vector3& x) { return x[0]; });
+  runs::Watch watch;
+  smoothVolume(volume, 100.0, watch.run());
+  EXPECT_GE(watch.calls(), 16);
+}
+
 TEST(VolumeSmoothing, SameBitsOnAnyThreadsAndNothingWithZero)
 {
   VolumeImage one = impulse(), two = impulse();

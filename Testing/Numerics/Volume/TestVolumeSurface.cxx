@@ -103,6 +103,15 @@ TEST(VolumeSurface, ObjectsThatTheImageCutsAreClosedAtItsBorder)
   EXPECT_NEAR(surface.Positions.colwise().maxCoeff().maxCoeff(), 10.0, 1e-12);
 }
 
+TEST(VolumeSurface, StatesWhetherAllValuesExceedTheLevel)
+{
+  EXPECT_FALSE(sampleVolumeSurface(ball(), unsmoothed(50.0)).ExceedsEverywhere);
+  EXPECT_FALSE(sampleVolumeSurface(ball(), unsmoothed(200.0)).ExceedsEverywhere);
+  const VolumeSurface all = sampleVolumeSurface(ball(), unsmoothed(-1.0));
+  EXPECT_TRUE(all.ExceedsEverywhere);
+  EXPECT_EQ(all.Positions.rows(), 0);
+}
+
 TEST(VolumeSurface, SameBitsOnAnyThreadsAndStops)
 {
   const VolumeSurface one = sampleVolumeSurface(ball()),
