@@ -142,9 +142,7 @@ def textured_writer(writer, drawn, path, options, steps):
     for level in drawn.levels:
         writer.AddInputConnection(3, level.GetOutputPort())
     if options.compress and not outputs.compress(writer):
-        steps.warnings.append("--compress: this build lacks the library meshoptimizer, so that the files are "
-                              "only quantized")
-        steps.ended("Compress", steps.warnings[-1:])
+        steps.note("--compress", "this build lacks the library meshoptimizer, so that the files are only quantized")
 
 
 def in_millimeters(surface, meters):
