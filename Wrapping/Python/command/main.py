@@ -1,5 +1,6 @@
 """The command conformalsom: from scans to painted surfaces."""
 import argparse
+import contextlib
 import importlib
 import json
 import os
@@ -240,11 +241,17 @@ def main(argv=None):
     occupy_standard_streams()
     if argv[:1] in (["shapes"], ["map"], ["movie"]):
         return subcommand(argv)
-    options, all_paths = arguments(argv)
+    return guarded(lambda bar: surfaces_of(argv, bar))
+
+
+def surfaces_of(argv, bar):
+    """Run the command without a subcommand; returns the exit status."""
+    with named_help():
+        options, all_paths = arguments(argv)
     if sys.stdout is None and (options.measure or options.report == "-"):
         complain("the standard output is closed, but the table or the report needs it")
         return 1
-    return guarded(lambda bar: run(options, all_paths, bar))
+    return run(options, all_paths, bar)
 
 
 def subcommand(argv):
@@ -254,8 +261,26 @@ def subcommand(argv):
     except ImportError as error:
         complain(f"{argv[0]}: {error}")
         return 1
-    options = chosen.arguments(argv[1:])
-    return guarded(lambda bar: chosen.run(options, bar))
+
+    def work(bar):
+        with named_help():
+            options = chosen.arguments(argv[1:])
+        return chosen.run(options, bar)
+    return guarded(work)
+
+
+@contextlib.contextmanager
+def named_help():
+    """Raise OSError if the text of --help or --version, after which argparse exits, cannot be printed."""
+    try:
+        try:
+            yield
+        except SystemExit:
+            if sys.stdout is not None:
+                sys.stdout.flush()
+            raise
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, error.filename or "the standard output") from error
 
 
 def guarded(work):
