@@ -121,7 +121,7 @@ class TestFunctions(unittest.TestCase):
 
     def test_registration_returns_the_second_best_result(self):
         mapped = cs.conformal_map((self.surface.points, self.surface.faces))
-        turns = "two correspondences are about equally good"  # an ellipsoid equals itself after half a turn
+        turns = "the second one is `second` of the result"  # an ellipsoid equals itself after half a turn
         with self.assertWarnsRegex(cs.FilterWarning, turns):
             registered = mapped.register(self.surface, frequency=8)
         self.assertEqual(registered.quality["Ambiguous"], 1)

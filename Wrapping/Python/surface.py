@@ -245,7 +245,8 @@ class Surface:
 
             registered = surface.register(other, landmarks=[(12, 57)])
         """
-        algorithm, texts = updated("vtkSphericalRegistration", [self], progress, {**properties, "fixed": fixed})
+        algorithm, texts = updated("vtkSphericalRegistration", [self], progress, {**properties, "fixed": fixed},
+                                   reworded={"on output port 1": "`second` of the result"})
         registered, second = (Surface(algorithm.GetOutput(port), warnings=[*self._warnings, *texts]) for port in (0, 1))
         registered._second = second if len(second) else None
         return registered
