@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from conformalsom import vtkBodyMap, vtkBodyMapImage
 
 from . import geotiff, jobs, labels, map_picture, mapped_files, outputs, pictures, scan_files
-from .plan import METERS, Checks, WrongUsage, expect_extension, expect_utf8, parsed
+from .plan import METERS, Checks, WrongUsage, expect_extension, expect_utf8, in_range, parsed
 from .progress import printable
 from .steps import BarSteps
 
@@ -21,6 +21,7 @@ EPILOG = """\
 bands:
   1 height  over an ellipsoid with the volume and the moments of the body [m]
   2 slope   angle between the surface and this ellipsoid [degrees]
+            (height and slope are computed at vertices, and interpolated between them)
   3 radius  distance from the center [m]
   4 area    of the surface in a pixel [m^2]
   5, 6, 7   x, y, z of the surface [m]
@@ -33,14 +34,6 @@ BANDS = ("height", "slope", "radius", "area", "x", "y", "z")
 AREA_BALANCE = 0.5  # of maps that are computed; see vtkGlobalConformalMap
 
 
-def width(text):
-    """A number of pixels."""
-    number = int(text)
-    if not 16 <= number <= 40000:
-        raise argparse.ArgumentTypeError(f"{number} is not in [16, 40000]")
-    return number
-
-
 def make_parser():
     """The options, of which --help and the manual page are made."""
     parser = argparse.ArgumentParser(prog="conformalsom map", description=DESCRIPTION, epilog=EPILOG,
@@ -49,7 +42,7 @@ def make_parser():
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="GeoTIFF to write (.tif or .tiff)")
     parser.add_argument("--unit", choices=METERS, help="unit of the coordinates in BODY; default: that of the label "
                         "beside BODY (.lbl or .xml of the Planetary Data System), else km")
-    parser.add_argument("--width", type=width, default=2000, metavar="N",
+    parser.add_argument("--width", type=in_range(16, 40000), default=2000, metavar="N",
                         help="width in pixels, twice the height; in [16, 40000], default 2000")
     parser.add_argument("--coordinates", choices=("planetocentric", "map"), default="planetocentric",
                         help="planetocentric: longitude and latitude as catalogs use them; a pixel shows the point "
