@@ -125,7 +125,8 @@ def set_value(algorithm: typing.Any, word: str, keyword: Keyword, value: typing.
         raise ValueError(f"{word} is {value!r}, but must be in [{least()}, {most()}]")
 
 
-def expect_number(word: str, value: typing.Any, low: int, high: int, type_: type = numbers.Integral) -> None:
+def expect_number(word: str, value: typing.Any, low: int, high: int,
+                  type_: typing.Any = numbers.Integral) -> None:
     """Raise TypeError unless a value is a number of a type, and ValueError unless it is in [low, high]."""
     if not isinstance(value, type_):
         raise TypeError(f"{word} is {value!r}, but must be {'an integer' if type_ is numbers.Integral else 'a number'}")
