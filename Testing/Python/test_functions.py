@@ -304,10 +304,11 @@ class TestFunctions(unittest.TestCase):
                     cs.learn(points)
                 except (cs.FilterFailed, FileNotFoundError):
                     pass
-            try:
-                cs.surface_from_volume("junk.vti")
-            except cs.FilterFailed:
-                pass
+            for volume in "junk.vti", "junk.mha":
+                try:
+                    cs.surface_from_volume(volume)
+                except (cs.FilterFailed, ValueError):
+                    pass
             try:
                 cs.read("sphere.vtp").bake(numpy.zeros((0, 3)), colors=numpy.zeros((0, 3), numpy.uint8))
             except cs.FilterFailed:
@@ -315,7 +316,7 @@ class TestFunctions(unittest.TestCase):
             warnings.simplefilter("ignore")
             cs.learn(numpy.random.default_rng(1).normal(size=(500, 3)) * (1, 1, 0), number_of_neurons=162)
             """)
-        for name in ("junk.vtp", "junk.vti"):
+        for name in ("junk.vtp", "junk.vti", "junk.mha"):
             with open(self.path(name), "w", encoding="ascii") as file:
                 file.write("junk")
         self.surface.save(self.path("sphere.vtp"))

@@ -277,6 +277,7 @@ def read_volume(name: str) -> vtkImageData:
     reader: typing.Any = volumes.volume_reader(name)
     if not os.path.exists(name):
         raise missing(name, os.strerror(errno.ENOENT))
+    volumes.expect_header(name, reader)
     quiet_parser(reader)
     run(reader)
     volumes.expect_one_volume(name, reader)
