@@ -350,6 +350,14 @@ class TestWords(Folder):
             self.assertEqual((run.returncode, run.stderr),
                              (1, "conformalsom: the standard output: No space left on device\n"))
 
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no device that is full")
+    def test_help_that_cannot_be_printed(self):
+        script = 'set -o pipefail; "$1" --help | true; echo $?; "$1" --version > /dev/full; echo $?; "$1" map --help > /dev/full'
+        run = subprocess.run(["bash", "-c", script, "bash", COMMAND], text=True, stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, check=False)
+        self.assertEqual((run.stdout, run.returncode), ("1\n1\n", 1))
+        self.assertEqual(run.stderr, 2 * "conformalsom: the standard output: No space left on device\n")
+
     def test_system_errors_have_no_numbers(self):
         for error, text in ((OSError(errno.ENOSPC, "No space left on device"), "No space left on device"),
                             (OSError(errno.ENOSPC, "No space left on device", "x"), "x: No space left on device"),

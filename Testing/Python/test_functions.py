@@ -121,7 +121,7 @@ class TestFunctions(unittest.TestCase):
 
     def test_registration_returns_the_second_best_result(self):
         mapped = cs.conformal_map((self.surface.points, self.surface.faces))
-        turns = "two correspondences are about equally good"  # an ellipsoid equals itself after half a turn
+        turns = "the second one is `second` of the result"  # an ellipsoid equals itself after half a turn
         with self.assertWarnsRegex(cs.FilterWarning, turns):
             registered = mapped.register(self.surface, frequency=8)
         self.assertEqual(registered.quality["Ambiguous"], 1)
@@ -143,11 +143,17 @@ class TestFunctions(unittest.TestCase):
         self.assertNotIn("Landmark", self.surface.point_data)
         for landmarks, message in (([ids], "must be 2 lists"), ([ids, ids[1:]], "all of one length"),
                                    ([ids, [*ids[1:], 500]], "landmarks of surface 1 must be ids of points in .0, 499"),
-                                   ([ids, [*ids[1:], ids[1]]], "landmarks of surface 1 repeat an id")):
+                                   ([ids, [*ids[1:], ids[1]]], "landmarks of surface 1 repeat an id"),
+                                   ([ids, np.array(ids) + 0.5], "landmarks of surface 1 must be integers, .* not float64"),
+                                   ([[], []], "landmarks are empty lists")):
             with self.assertRaisesRegex(ValueError, message):
                 cs.mean_shape(surfaces, landmarks=landmarks)
-        with self.assertRaisesRegex(ValueError, "there is none"):
-            cs.mean_shape([])
+        for function in (cs.mean_shape, cs.time_series):
+            with self.assertRaisesRegex(ValueError, "there is none"):
+                function([])
+            for one in ("e.vtp", self.surface, self.surface.polydata, self.surface.points, 7):
+                with self.assertRaisesRegex(TypeError, "expected a list of surfaces, not "):
+                    function(one)
 
     def test_transfers_poses(self):
         target = cs.conformal_map((self.surface.points, self.surface.faces))
@@ -160,6 +166,8 @@ class TestFunctions(unittest.TestCase):
         np.testing.assert_array_equal(same.faces, self.surface.faces)
         self.assertLess(same.quality["TransferResidual"], 1e-10)
         self.assertEqual(target.posed(self.surface, []), [])
+        with self.assertRaisesRegex(TypeError, "expected a list of poses, not str"):
+            target.posed(self.surface, "e.vtp")
         with self.assertRaisesRegex(cs.FilterFailed, "the pose has 9 points"):
             self.surface.posed(self.surface, [np.zeros((9, 3))])
 
@@ -174,8 +182,12 @@ class TestFunctions(unittest.TestCase):
                 self.assertGreater(os.path.getsize(self.path("saved." + extension)), 1000)
         self.assertGreater(os.path.getsize(self.path("saved.png")), 100)
         self.expect_same(cs.read(self.path("saved.vtp")), painted)
-        with self.assertRaises(FileExistsError):
-            painted.save(self.path("saved.glb"), overwrite=False)
+        for name, existing in (("saved.glb", "saved.glb"), ("saved.obj", "saved.obj")):
+            with self.assertRaisesRegex(FileExistsError, f"it exists; pass overwrite=True or another name.*{existing}"):
+                painted.save(self.path(name), overwrite=False)
+        os.unlink(self.path("saved.ply"))
+        with self.assertRaisesRegex(FileExistsError, "saved.png"):
+            painted.save(self.path("saved.ply"), overwrite=False)
         with self.assertRaisesRegex(ValueError, "expected a file of type .*glb"):
             painted.save(self.path("saved.docx"))
 
@@ -204,12 +216,46 @@ class TestFunctions(unittest.TestCase):
                  lambda: cs.learn(cloud(), mesh_type="geodesic")),
                 (TypeError, "number_of_neurons is 'x', but must be int", lambda: cs.learn(cloud(), number_of_neurons="x")),
                 (ValueError, "random_seed is -1, but must be in", lambda: cs.learn(cloud(), random_seed=-1)),
+                (TypeError, "not ndarray of object", lambda: cs.learn(cloud().astype(object))),
+                (ValueError, "rows of different lengths", lambda: cs.learn([[1.0, 2.0, 3.0], [1.0]])),
+                (TypeError, "not ndarray of complex128", lambda: cs.surface_from_volume(np.zeros((3, 3, 3), complex))),
+                (ValueError, r"spacing is \(1, 1, '2'\), but must be 3 positive numbers",
+                 lambda: cs.surface_from_volume(np.zeros((3, 3, 3)), spacing=(1, 1, "2"))),
+                (TypeError, "number_of_points is '3000', but must be a number", lambda: self.surface.smooth("3000")),
+                (TypeError, "texture_size is 64.5, but must be an integer",
+                 lambda: self.surface.bake(cloud(), colors=np.zeros((4000, 3), np.uint8), texture_size=64.5)),
+                (TypeError, "generate_stages is 'no', but must be True or False",
+                 lambda: cs.learn(cloud(), generate_stages="no")),
                 (TypeError, "no keyword argument 'frequency'", lambda: self.surface.smooth(frequency=3)),
                 (ValueError, "number_of_points is 3", lambda: self.surface.smooth(3)),
                 (ValueError, "ids of points of triangles", lambda: cs.conformal_map((cloud(), np.array([[0, 1, 4000]])))),
                 (ValueError, "expected an image", lambda: self.surface.paint(np.zeros((4, 4))))):
             with self.subTest(text), self.assertRaisesRegex(error, text):
                 call()
+
+    def test_masked_values_are_errors(self):
+        """Data of VTK have no masks: masked values would be used."""
+        masked = np.ma.masked_less(cloud(), -1.0)
+        bytes_ = np.ma.masked_less(np.ones((4000, 3), np.uint8), 2)
+        ids = np.ma.array([[0, 1, 2]], mask=[[True, False, False]])
+        for call in (lambda: cs.learn(masked), lambda: cs.learn(list(masked)), lambda: cs.conformal_map((cloud(), ids)),
+                     lambda: self.surface.paint(bytes_.reshape(80, 50, 3)), lambda: self.surface.bake(cloud(), colors=bytes_),
+                     lambda: cs.surface_from_volume(masked.reshape(40, 30, 10)),
+                     lambda: cs.mean_shape([self.surface], landmarks=ids)):
+            with self.assertRaisesRegex(TypeError, "masked values are not supported"):
+                call()
+        self.expect_same(cs.learn(np.ma.array(cloud()), number_of_neurons=500), self.surface)
+
+    def test_boolean_properties(self):
+        rough = learned(fit_iterations=1)
+        for value in (False, np.False_, 0):
+            self.expect_same(learned(fit_iterations=1, generate_stages=value), rough)
+
+    def test_volumes_of_long_doubles(self):
+        place = np.stack(np.mgrid[0:20, 0:20, 0:20]) - 9.5
+        volume = (np.linalg.norm(place, axis=0) < 7.0).astype(np.longdouble)
+        few = {"spacing": np.array((1.0, 1.0, 1.0), np.float32)}
+        self.assertGreater(len(cs.surface_from_volume(volume, **few)), 100)
 
     def test_errors_are_exceptions_with_the_filters_message(self):
         with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalSOM: there are no points"):
@@ -227,6 +273,11 @@ class TestFunctions(unittest.TestCase):
             file.write("ply\nformat ascii 1.0\nelement vertex 5\n")
         with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalPLYReader: "):
             cs.read(self.path("broken.ply"))
+        self.surface.save(self.path("cut.stl"))
+        with open(self.path("cut.stl"), "r+b") as file:
+            file.truncate(9000)
+        with self.assertRaisesRegex(ValueError, "not an STL file, or an incomplete one"):
+            cs.read(self.path("cut.stl"))
         with open(self.path("broken.png"), "wb") as file:
             file.write(b"\x89PNG\r\n\x1a\n")
         with self.assertRaisesRegex(ValueError, "broken"):
@@ -248,16 +299,29 @@ class TestFunctions(unittest.TestCase):
     def test_nothing_is_printed(self):
         script = textwrap.dedent("""\
             import warnings, numpy, conformalsom as cs
-            for points in numpy.zeros((0, 3)), "missing.ply":
+            for points in numpy.zeros((0, 3)), "missing.ply", "junk.vtp":
                 try:
                     cs.learn(points)
                 except (cs.FilterFailed, FileNotFoundError):
                     pass
+            for volume in "junk.vti", "junk.mha":
+                try:
+                    cs.surface_from_volume(volume)
+                except (cs.FilterFailed, ValueError):
+                    pass
+            try:
+                cs.read("sphere.vtp").bake(numpy.zeros((0, 3)), colors=numpy.zeros((0, 3), numpy.uint8))
+            except cs.FilterFailed:
+                pass
             warnings.simplefilter("ignore")
             cs.learn(numpy.random.default_rng(1).normal(size=(500, 3)) * (1, 1, 0), number_of_neurons=162)
             """)
+        for name in ("junk.vtp", "junk.vti", "junk.mha"):
+            with open(self.path(name), "w", encoding="ascii") as file:
+                file.write("junk")
+        self.surface.save(self.path("sphere.vtp"))
         done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              check=False)
+                              cwd=self.folder.name, check=False)
         self.assertEqual((done.returncode, done.stdout), (0, ""))
 
     def test_a_function_hears_of_progress(self):
@@ -271,6 +335,11 @@ class TestFunctions(unittest.TestCase):
         self.assertEqual(fractions, sorted(set(fractions)))
         self.assertEqual((fractions[-1], threads), (1.0, {threading.current_thread()}))
         self.assertGreaterEqual(fractions[0], 0.0)
+
+    def test_baking_reports_progress_of_both_filters(self):
+        fractions = []
+        self.surface.bake(cloud(), colors=np.zeros((4000, 3), np.uint8), progress=fractions.append)
+        self.assertEqual((fractions.count(1.0), fractions[-1]), (2, 1.0))
 
     def test_an_exception_of_the_function_stops_the_filter(self):
         with self.assertRaises(ZeroDivisionError):

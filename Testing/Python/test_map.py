@@ -3,13 +3,13 @@ import contextlib
 import io
 import json
 import os
+import pty
 import resource
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 from unittest import mock
 
@@ -19,7 +19,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from conformalsom import vtkConformalPLYReader, vtkGeodesicSphereSource
-from conformalsom.command import jobs, main, map_picture, maps
+from conformalsom.command import jobs, main, map_picture, mapped_files, maps
+from conformalsom.command.steps import Steps
 
 try:
     from osgeo import gdal
@@ -157,7 +158,40 @@ class TestMap(unittest.TestCase):
                 self.assertIn("433 EROS planetocentric", file.GetProjection())
                 other = conformalsom("map", table, "-o", path, "--width", 32, "--unit", "cm", "--overwrite")
                 self.assertEqual(other.returncode, 0)
-                self.assertIn("--unit: cm is used, but the label has", other.stdout)
+                self.assertEqual(other.stdout.count("\n"), 1)
+                self.assertIn(f"conformalsom: {table}: note: --unit: cm is used, but the label has", other.stderr)
+
+    def test_without_a_terminal_only_one_line_is_printed(self):
+        self.assertEqual(self.made.stderr, "")
+        self.assertRegex(self.made.stdout, r"^wrote .*map\.tif: 360 x 180 pixels, .*\n$")
+
+    def test_standard_output_that_cannot_be_used(self):
+        """The map is written if the standard output is closed, full, or read by no program."""
+        script = 'set -o pipefail; exec "$@" '
+        for number, (redirection, status, error) in enumerate((
+                (">&-", 0, ""), ("| true", 1, ""),
+                ("> /dev/full", 1, "conformalsom: the standard output: No space left on device\n"))):
+            with self.subTest(redirection):
+                path = self.path_of(f"closed{number}.tif")
+                made = subprocess.run(["bash", "-c", script + redirection, "bash", *PROGRAM, "map", self.body, "-o", path,
+                                       "--width", "32"], stderr=subprocess.PIPE, text=True, check=False)
+                self.assertTrue(os.path.exists(path))
+                os.unlink(path)
+                self.assertEqual((made.returncode, made.stderr), (status, error))
+
+    def test_names_that_are_not_utf8_or_have_control_characters(self):
+        body = os.path.join(os.fsencode(self.temporary.name), b"b\xff.ply")
+        for words in ((body, "-o", self.path_of("new.tif")),
+                      (self.body, "-o", self.path_of("new.tif"), "--crs", b"b\xff")):
+            made = subprocess.run([*PROGRAM, "map", *words], capture_output=True, text=True, check=False)
+            self.assertEqual((made.returncode, "Traceback" in made.stderr), (2, False), made.stderr)
+        body = self.path_of("b\x1b[31m.ply")
+        shutil.copy(self.body, body)
+        self.addCleanup(os.unlink, body)
+        with io.StringIO() as shown, contextlib.redirect_stdout(shown):
+            mapped_files.read(body, 0.0, Steps())
+            self.assertNotIn("\x1b", shown.getvalue())
+            self.assertIn(r"Map b\x1b[31m to the sphere", shown.getvalue())
 
     def test_picture_is_written_beside_the_map(self):
         picture, target = self.path_of("map.png"), self.path_of("with.tif")
@@ -168,24 +202,35 @@ class TestMap(unittest.TestCase):
         again = conformalsom("map", self.body, "-o", self.path_of("other.tif"), "--picture", picture)
         self.assertEqual(again.returncode, 2)
         self.assertIn("map.png already exists", again.stderr)
-        for path in (picture, target):
+        large = self.path_of("map.JPG")
+        made = conformalsom("map", self.body, "-o", target, "--picture", large, "--width", 100, "--overwrite")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(gdal.Open(large).GetDriver().ShortName, "JPEG")
+        for path in (picture, target, large):
             os.unlink(path)
 
     def test_signals_stop_filters_and_leave_no_file(self):
         """A signal while a filter runs ends the command by this signal, long before the filter would end."""
         large = self.path_of("large.ply")
         self.addCleanup(os.unlink, large)
-        write_ellipsoid(large, 300)
+        write_ellipsoid(large, 120)
         for number in (signal.SIGINT, signal.SIGTERM):
             with self.subTest(number):
+                terminal, end = pty.openpty()
+                self.addCleanup(os.close, terminal)
                 words = [*PROGRAM, "map", large, "-o", self.path_of("stopped.tif")]
-                process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=end,
+                                           env={**os.environ, "TERM": "xterm", "COLUMNS": "200"})
+                os.close(end)
                 self.addCleanup(process.kill)
-                self.assertTrue(process.stdout.readline().startswith("Read large"))  # next, the surface is mapped
-                time.sleep(1.0)
+                shown = b""
+                while b"Map large to the sphere" not in shown:
+                    shown += os.read(terminal, 4096)
                 process.send_signal(number)
-                told, errors = process.communicate(timeout=60)
-                self.assertEqual((process.returncode, told, errors), (-number, "", ""))
+                with contextlib.suppress(OSError):  # at the end of a terminal
+                    while os.read(terminal, 4096):
+                        pass
+                self.assertEqual((process.communicate(timeout=60)[0], process.returncode), (b"", -number))
         self.assertEqual(sorted(os.listdir(self.temporary.name)), ["Ellipsoid.ply", "large.ply", "map.tif"])
 
     def expect_one_line(self, finished, text):

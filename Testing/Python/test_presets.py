@@ -83,6 +83,13 @@ class TestPresets(unittest.TestCase):
         self.assertEqual(len(document["meshes"]), 1)
         self.assertLess(abs(document["accessors"][0]["count"] - 3000), 60)
 
+    def test_note_states_why_there_are_more_points(self):
+        """A surface of 500 points, the smallest, becomes one of more where the picture is cut."""
+        run = self.run_command("--normal-map", "--points", "500", "-o", "small.glb")
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, r"^conformalsom: scan.vtp: note: --points: the surface has \d{3} points instead of "
+                                     "500, since the cut of the picture adds points\n$")
+
     def test_print_is_closed_and_in_millimeters(self):
         path = self.made("toy.3mf", "--preset", "print", "--unit", "cm", "-o", "toy.stl")
         with zipfile.ZipFile(path) as file:
@@ -122,6 +129,8 @@ class TestPresets(unittest.TestCase):
         for message, *arguments in (
                 ("--unit", "--preset", "print", "-o", "toy.stl"),
                 (".3mf .stl", "--preset", "print", "--unit", "mm", "-o", "toy.glb"),
+                ("--points: invalid integer value: '1e3'", "--points", "1e3", "-o", "surface.glb"),
+                ("--jobs: invalid integer value: 'x'", "--jobs", "x", "-o", "surface.glb"),
                 ("--points", "--normal-map", "-o", "surface.glb"),
                 ("--points", "--levels", "2", "-o", "surface.glb"),
                 (".glb only", "--normal-map", "--points", "1000", "-o", "surface.ply"),

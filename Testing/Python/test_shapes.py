@@ -322,6 +322,8 @@ class TestStops(unittest.TestCase):
         run = command(self.folder, "shapes", *self.names, "-o", "study", *SMALL)
         self.assertEqual(run.returncode, 1)
         self.assertIn("mean.vtp is not a regular file", run.stderr)
+        self.assertIn("inspect the surface, or add landmarks by --landmarks", run.stderr)
+        self.assertNotIn("output port", run.stderr)
         self.assertEqual(sorted(os.listdir(folder)), ["mean.vtp", "work"])
 
     def test_scans_are_added_and_results_replaced(self):

@@ -1,4 +1,6 @@
 """Surfaces as files, and as meshes of other packages."""
+import errno
+import os
 import typing
 
 import numpy as np
@@ -29,6 +31,9 @@ def save(surface: "Surface", path: str, overwrite: bool) -> None:
     """Write a surface to a file of the type of its extension."""
     if outputs.extension_of(path) not in outputs.SURFACES:
         raise ValueError(f"{path}: expected a file of type {' '.join(outputs.SURFACES)}")
+    for file in outputs.files_of(path):
+        if not overwrite and os.path.lexists(os.path.realpath(file)):
+            raise FileExistsError(errno.EEXIST, "it exists; pass overwrite=True or another name", file)
     outputs.write(Quiet, writer_of(surface, path), path, overwrite=overwrite)
 
 

@@ -10,14 +10,15 @@ from conformalsom.running import run
 
 def updated(class_name: str, data: typing.Iterable[typing.Any], progress: Progress = False,
             properties: typing.Optional[typing.Mapping[str, typing.Any]] = None,
-            data_of: typing.Callable[[typing.Any], typing.Any] = point_set) -> typing.Tuple[typing.Any, typing.List[str]]:
+            data_of: typing.Callable[[typing.Any], typing.Any] = point_set,
+            reworded: typing.Optional[typing.Mapping[str, str]] = None) -> typing.Tuple[typing.Any, typing.List[str]]:
     """Run a filter on the data of its first input port; return the filter and its warnings.
 
-    data_of() converts the data of all inputs.
+    data_of() converts the data of all inputs. reworded has parts of warnings, and the words of Python for them.
     """
     class_ = getattr(conformalsom, class_name)
     algorithm = class_()
     apply(algorithm, keywords_of(class_), properties or {}, data_of)
     for item in data:
         algorithm.AddInputDataObject(0, data_of(item))
-    return algorithm, run(algorithm, progress)
+    return algorithm, run(algorithm, progress, reworded)

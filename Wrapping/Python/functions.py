@@ -6,7 +6,8 @@ import typing
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from conformalsom.filters import updated
-from conformalsom.inputs import MeshLike, Path, PointsLike, VolumeLike, mark_landmarks, point_set, volume_of
+from conformalsom.inputs import (
+    MeshLike, Path, PointsLike, VolumeLike, expect_several, mark_landmarks, point_set, volume_of)
 from conformalsom.keywords import properties_of
 from conformalsom.reporting import Progress
 from conformalsom.surface import Array, Surface, columns_of
@@ -95,11 +96,11 @@ def time_series(surfaces: typing.Iterable[MeshLike], *, progress: Progress = Fal
 
     Returns a surface for each time step, and a table. With time_interval in seconds, velocities are in units of
     length per second. A surface that cannot be used is skipped with a warning; the result is then interpolated. Raises
-    FilterFailed if there is no surface, or if that of reference_step cannot be used. Example:
+    ValueError if there is no surface, and FilterFailed if that of reference_step cannot be used. Example:
 
         series = conformalsom.time_series([first, second, third], time_interval=30.0)
     """
-    algorithm, warnings = updated("vtkSphericalTimeSeries", surfaces, progress, properties)
+    algorithm, warnings = updated("vtkSphericalTimeSeries", expect_some(surfaces), progress, properties)
     table = columns_of(algorithm.GetTable())
     steps = []
     for time in table.get("Time", ()):
@@ -125,13 +126,20 @@ def mean_shape(surfaces: typing.Iterable[MeshLike], *,
 
         mean = conformalsom.mean_shape([first, second, third])
     """
-    data = [point_set(surface) for surface in surfaces]
-    if not data:
-        raise ValueError("expected one surface or more, but there is none")
+    data = [point_set(surface) for surface in expect_some(surfaces)]
     if landmarks is not None:
         properties["landmark_array_name"] = mark_landmarks(data, landmarks)
     template, warnings = updated("vtkSphericalTemplate", data, progress, properties)
     return Surface(template.GetMeanSurface(), warnings=warnings)
+
+
+def expect_some(surfaces: typing.Iterable[MeshLike]) -> typing.List[MeshLike]:
+    """Return surfaces as a list. Raises ValueError if there is none, and TypeError for one surface instead of a list."""
+    expect_several(surfaces)
+    found = list(surfaces)
+    if not found:
+        raise ValueError("expected one surface or more, but there is none")
+    return found
 
 
 def read(path: Path) -> Surface:

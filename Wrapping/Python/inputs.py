@@ -6,8 +6,10 @@ import typing
 import numpy as np
 import numpy.typing as npt
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkCallbackCommand, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkIOGeometry import vtkSTLReader
+from vtkmodules.vtkIOXML import vtkXMLReader
 
 from conformalsom.command import scan_files, textures, volumes
 from conformalsom.messages import FilterFailed
@@ -47,6 +49,41 @@ ImageLike = typing.Union[Path, "npt.NDArray[np.uint8]"]
 VolumeLike = typing.Union[Path, vtkImageData, "npt.NDArray[typing.Any]"]
 
 
+def array_of(values: typing.Any, expected: str) -> "npt.NDArray[typing.Any]":
+    """Return values as an array.
+
+    Raises TypeError for masked values, which the data of VTK would have without the mask, and ValueError for rows of
+    different lengths; `expected` names the values.
+    """
+    if is_masked(values):
+        raise TypeError("masked values are not supported: remove them, such as by numpy.ma.compress_rows(array), or "
+                        "replace them by array.filled(value)")
+    try:
+        return np.asarray(values)
+    except ValueError:
+        raise ValueError(f"expected {expected}, not rows of different lengths") from None
+
+
+def is_masked(values: typing.Any) -> bool:
+    """Return whether an array, or an item of a list, has masked values."""
+    if isinstance(values, (list, tuple)):
+        return any(isinstance(item, np.ma.MaskedArray) and np.ma.is_masked(item) for item in values)
+    return np.ma.is_masked(values)
+
+
+def kind_of(values: typing.Any, array: "npt.NDArray[typing.Any]") -> str:
+    """Return the type of values, and of the items if there are several, for a message."""
+    return type(values).__name__ + (f" of {array.dtype}" if array.ndim > 0 else "")
+
+
+def expect_several(surfaces: typing.Any, items: str = "surfaces") -> None:
+    """Raise TypeError for one surface, such as a file, instead of several."""
+    is_one = isinstance(surfaces, (str, bytes, os.PathLike)) or isinstance(surfaces, np.ndarray) and surfaces.ndim < 3 or any(
+        hasattr(surfaces, name) for name in ("polydata", "GetPoints", "vertices", "points"))
+    if is_one or not isinstance(surfaces, typing.Iterable):
+        raise TypeError(f"expected a list of {items}, not {type(surfaces).__name__}")
+
+
 def point_set(points: typing.Any) -> typing.Any:
     """Return points, or a mesh with its triangles, as vtkPointSet.
 
@@ -72,9 +109,9 @@ def point_set(points: typing.Any) -> typing.Any:
 
 def cloud_of(points: typing.Any) -> vtkPolyData:
     """Return an array of n x 3 numbers as points of VTK."""
-    array = np.asarray(points)
+    array = array_of(points, "points as an array of n x 3")
     if array.dtype.kind not in "fiub" or array.ndim == 0:
-        raise TypeError(f"expected points, such as an array of n x 3 numbers, not {type(points).__name__}")
+        raise TypeError(f"expected points, such as an array of n x 3 numbers, not {kind_of(points, array)}")
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"expected points as an array of n x 3, not of the shape {array.shape}")
     coordinates, cloud = vtkPoints(), vtkPolyData()
@@ -93,7 +130,7 @@ def with_triangles(mesh: vtkPolyData, faces: typing.Any) -> vtkPolyData:
     """Add triangles, an array of n x 3 ids of points, if there are any."""
     if faces is None or len(faces) == 0:
         return mesh
-    corners = np.asarray(faces)
+    corners = array_of(faces, "triangles as an array of n x 3 integers")
     if corners.ndim != 2 or corners.shape[1] != 3 or corners.dtype.kind not in "iu":
         raise ValueError(f"expected triangles as an array of n x 3 integers, not of the shape {corners.shape} "
                          f"and of {corners.dtype}")
@@ -110,19 +147,26 @@ def with_triangles(mesh: vtkPolyData, faces: typing.Any) -> vtkPolyData:
 def with_normals(cloud: vtkPolyData, normals: typing.Any) -> vtkPolyData:
     """Add the normals of the points if there are any."""
     if normals is not None and len(normals) == cloud.GetNumberOfPoints() > 0:
-        cloud.GetPointData().SetNormals(as_floats(np.asarray(normals)))
+        cloud.GetPointData().SetNormals(as_floats(array_of(normals, "normals as an array of n x 3")))
     return cloud
 
 
 def mark_landmarks(surfaces: typing.List[typing.Any], landmarks: typing.Sequence[typing.Sequence[int]]) -> str:
     """Replace surfaces by copies with a point array: 1, 2 ... at landmarks, else 0. Return the name of the array."""
     name = "Landmark"
-    lists = [np.asarray(ids) for ids in landmarks]
+    expected = f"landmarks must be {len(surfaces)} lists of ids, one for each surface and all of one length"
+    if isinstance(landmarks, str) or not isinstance(landmarks, typing.Iterable):
+        raise TypeError(expected)
+    lists = [array_of(ids, "landmarks as lists of ids") for ids in landmarks]
     if len(lists) != len(surfaces) or len({ids.shape for ids in lists}) != 1:
-        raise ValueError(f"landmarks must be {len(surfaces)} lists of ids, one for each surface and all of one length")
+        raise ValueError(expected)
+    if lists[0].size == 0:
+        raise ValueError("landmarks are empty lists; leave landmarks out, or pass the ids of one or more")
     for i, (surface, ids) in enumerate(zip(surfaces, lists)):
         count = surface.GetNumberOfPoints()
-        if ids.ndim != 1 or ids.dtype.kind not in "iu" or ids.size and not 0 <= ids.min() <= ids.max() < count:
+        if ids.ndim != 1 or ids.dtype.kind not in "iu":
+            raise ValueError(f"landmarks of surface {i} must be integers, ids of points, not {ids.dtype}")
+        if not 0 <= ids.min() <= ids.max() < count:
             raise ValueError(f"landmarks of surface {i} must be ids of points in [0, {count - 1}]")
         if len(np.unique(ids)) < ids.size:
             raise ValueError(f"landmarks of surface {i} repeat an id")
@@ -149,13 +193,22 @@ def read(path: Path) -> typing.Any:
     # Without a class, scan_reader() raises an error that lists the known types.
     reader: typing.Any = scan_files.scan_reader(name) if reader_class is None else reader_class()
     reader.SetFileName(name)
+    quiet_parser(reader)
     try:
         run(reader)
     except FilterFailed as error:
         if os.path.exists(name):
             raise
         raise missing(name, str(error)) from None
+    if isinstance(reader, vtkSTLReader):
+        scan_files.check_stl(name)
     return reader.GetOutputDataObject(0)
+
+
+def quiet_parser(reader: typing.Any) -> None:
+    """Let the parser of a reader of XML files print nothing. The reader reports that it failed."""
+    if isinstance(reader, vtkXMLReader):
+        reader.SetParserErrorObserver(vtkCallbackCommand())  # which does nothing; without it, errors are printed
 
 
 def missing(name: str, reason: str) -> FileNotFoundError:
@@ -173,7 +226,7 @@ def image_of(image: typing.Any) -> typing.Any:
         if not os.path.exists(name):
             raise missing(name, os.strerror(errno.ENOENT))
         return textures.image_of(textures.read_picture(name))
-    pixels = np.asarray(image)
+    pixels = array_of(image, "an image of rows x columns x 3 or 4 bytes")
     if pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or pixels.dtype != np.uint8 or pixels.size == 0:
         raise ValueError("expected an image of rows x columns x 3 or 4 bytes, "
                          f"not of the shape {pixels.shape} and of {pixels.dtype}")
@@ -192,19 +245,22 @@ def volume_of(volume: typing.Any, spacing: typing.Sequence[float] = (1.0, 1.0, 1
         copy = volume.NewInstance()  # so that several threads can use one data set
         copy.ShallowCopy(volume)
         return copy
-    values = np.asarray(volume)
+    values = array_of(volume, "a volume as an array of slices x rows x columns")
     if values.dtype.kind not in "fiub":
-        raise TypeError(f"expected a volume, such as an array of slices x rows x columns, not {type(volume).__name__}")
+        raise TypeError(f"expected a volume, such as an array of slices x rows x columns, not {kind_of(volume, values)}")
     if values.ndim not in (3, 4) or values.size == 0:
         raise ValueError(f"expected a volume as an array of slices x rows x columns, not of the shape {values.shape}")
-    if np.shape(spacing) != (3,) or not all(np.isfinite(length) and length > 0.0 for length in spacing):
+    lengths = array_of(spacing, "spacing as 3 positive numbers")
+    if lengths.shape != (3,) or lengths.dtype.kind not in "fiu" or not (np.isfinite(lengths) & (lengths > 0.0)).all():
         raise ValueError(f"spacing is {spacing!r}, but must be 3 positive numbers")
     values = values if values.ndim == 4 else values[..., None]
-    if values.dtype.kind == "b" or values.dtype == np.float16:
-        values = values.astype(np.float32 if values.dtype.kind == "f" else np.uint8)
+    if values.dtype.kind == "b":
+        values = values.astype(np.uint8)
+    elif values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):  # VTK has neither half nor long doubles
+        values = values.astype(np.float32 if values.dtype.itemsize == 2 else np.float64)
     image = vtkImageData()
     image.SetDimensions(*values.shape[2::-1])
-    image.SetSpacing(*spacing)
+    image.SetSpacing(*lengths.tolist())
     native = np.ascontiguousarray(values, values.dtype.newbyteorder("="))
     scalars = numpy_to_vtk(native.reshape(-1, values.shape[3]), deep=False)
     scalars.SetName("Intensity")
@@ -221,6 +277,8 @@ def read_volume(name: str) -> vtkImageData:
     reader: typing.Any = volumes.volume_reader(name)
     if not os.path.exists(name):
         raise missing(name, os.strerror(errno.ENOENT))
+    volumes.expect_header(name, reader)
+    quiet_parser(reader)
     run(reader)
     volumes.expect_one_volume(name, reader)
     volumes.expect_whole(name, reader)

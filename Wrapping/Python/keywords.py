@@ -2,6 +2,7 @@
 import difflib
 import functools
 import inspect
+import numbers
 import re
 import textwrap
 import typing
@@ -111,6 +112,8 @@ def set_value(algorithm: typing.Any, word: str, keyword: Keyword, value: typing.
     """Set a property, and raise ValueError if the filter clamps the value to the property's range."""
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
+    if isinstance(keyword.default, bool) and not (isinstance(value, (bool, int, float)) and value in (0, 1)):
+        raise TypeError(f"{word} is {value!r}, but must be True or False")
     try:
         getattr(algorithm, "Set" + keyword.name)(value)
     except TypeError as error:
@@ -120,6 +123,15 @@ def set_value(algorithm: typing.Any, word: str, keyword: Keyword, value: typing.
     if least is not None and taken != value:
         most = getattr(algorithm, f"Get{keyword.name}MaxValue")
         raise ValueError(f"{word} is {value!r}, but must be in [{least()}, {most()}]")
+
+
+def expect_number(word: str, value: typing.Any, low: int, high: int,
+                  type_: typing.Any = numbers.Integral) -> None:
+    """Raise TypeError unless a value is a number of a type, and ValueError unless it is in [low, high]."""
+    if not isinstance(value, type_):
+        raise TypeError(f"{word} is {value!r}, but must be {'an integer' if type_ is numbers.Integral else 'a number'}")
+    if not low <= value <= high:
+        raise ValueError(f"{word} is {value!r}, but must be in [{low}, {high}]")
 
 
 def properties_of(class_name: str, *, without: typing.Sequence[str] = ()) -> typing.Callable[[Function], Function]:

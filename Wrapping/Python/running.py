@@ -15,11 +15,13 @@ FIRST_PAUSE, LONGEST_PAUSE = 0.0002, 0.02  # seconds between two looks at a filt
 PACKAGE = os.path.dirname(os.path.abspath(__file__)) + os.sep
 
 
-def run(algorithm: typing.Any, progress: Progress = False) -> typing.List[str]:
+def run(algorithm: typing.Any, progress: Progress = False,
+        reworded: typing.Optional[typing.Mapping[str, str]] = None) -> typing.List[str]:
     """Update a filter, reader or writer; return its warnings, which are also issued as FilterWarning.
 
     Other threads of Python run meanwhile. An exception of this thread, such as KeyboardInterrupt, aborts the
-    filter. Raises FilterFailed if the filter reports an error, or makes an empty surface with a warning.
+    filter. Raises FilterFailed if the filter reports an error, or makes an empty surface with a warning. reworded has
+    parts of warnings, and what replaces them.
     """
     name = algorithm.GetClassName()
     with reporter(progress, name) as report:
@@ -38,6 +40,8 @@ def run(algorithm: typing.Any, progress: Progress = False) -> typing.List[str]:
         failures = own_errors(errors, name) or texts[:is_empty(algorithm)]
         if failures:
             raise FilterFailed(f"{name}: {failures[0]}")
+    for part, words in (reworded or {}).items():
+        texts = [text.replace(part, words) for text in texts]
     texts = [f"{name}: {text}" for text in texts]
     for text in texts:
         warnings.warn(text, FilterWarning, stacklevel=level_of_caller())

@@ -1,6 +1,7 @@
 """A closed surface with a map to the sphere, as arrays of NumPy."""
 from __future__ import annotations
 
+import numbers
 import os
 import typing
 
@@ -15,8 +16,10 @@ from conformalsom import exports, pages, pickling
 from conformalsom.command import scan_colors
 from conformalsom.command.sizes import frequency_of
 from conformalsom.filters import updated
-from conformalsom.inputs import ImageLike, MeshLike, Path, PointsLike, VolumeLike, image_of, point_set, volume_of
-from conformalsom.keywords import properties_of
+from conformalsom.inputs import (
+    ImageLike, MeshLike, Path, PointsLike, VolumeLike, array_of, expect_several, image_of, point_set, volume_of)
+from conformalsom.keywords import expect_number, properties_of
+from conformalsom.messages import FilterFailed, heard
 from conformalsom.reporting import Progress
 from conformalsom.running import run
 
@@ -158,8 +161,7 @@ class Surface:
             smooth = surface.smooth(64_000)
         """
         if number_of_points is not None:
-            if not 12 <= number_of_points <= 10_000_002:
-                raise ValueError(f"number_of_points is {number_of_points}, but must be in [12, 10000002]")
+            expect_number("number_of_points", number_of_points, 12, 10_000_002, numbers.Real)
             properties["frequency"] = frequency_of(number_of_points)
         return self._filtered("vtkCurvedSeamlessSurface", progress, properties)
 
@@ -196,7 +198,8 @@ class Surface:
         texture_size: width and height of the picture in pixels, in [1, 16384]; by default, the density of the
         scan's points determines it, up to 4096.
         area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5.
-        progress: True for a bar, or a function that gets the completed fraction in [0, 1].
+        progress: True for a bar, or a function that gets the completed fraction in [0, 1], once for each of two
+        filters.
 
         Raises ValueError if there are no colors, or not as many as points, and FilterFailed if the surface has no
         valid map to the sphere. Example:
@@ -207,19 +210,22 @@ class Surface:
         found = scan_colors.colors_of(points) if colors is None else colors_in(colors, points.GetNumberOfPoints())
         if found is None:
             raise ValueError("the scan has no colors: pass an array of n x 3 bytes as colors")
-        if texture_size is not None and not 1 <= texture_size <= 16384:
-            raise ValueError(f"texture_size is {texture_size}, but must be in [1, 16384]")
+        if texture_size is not None:
+            expect_number("texture_size", texture_size, 1, 16384)
         map_ = self.polydata.GetPointData().GetArray("SpherePosition")
         has_border = map_ is not None and map_.GetRange(2)[0] >= 0.0  # mapped to a hemisphere
         placement: typing.Dict[str, typing.Any] = {"projection": "Square"}
         if not has_border:
             placement = {"projection": "Octahedral", "margin": 0.01, "area_balance": area_balance}
-        painted = self._filtered("vtkSphericalTextureMap", False, placement)
+        painted = self._filtered("vtkSphericalTextureMap", progress, placement)
         source = vtkTrivialProducer()
         source.SetOutput(painted.polydata)
         image = scan_colors.baked(source, points, found, texture_size)
         if texture_size is None:
-            image.FitImageSize()
+            with heard(image) as messages:
+                image.FitImageSize()
+            if messages.errors:
+                raise FilterFailed(f"{image.GetClassName()}: {messages.errors[0]}")
         run(image, progress)
         painted._picture = image.GetOutput(), placement
         return painted
@@ -239,7 +245,8 @@ class Surface:
 
             registered = surface.register(other, landmarks=[(12, 57)])
         """
-        algorithm, texts = updated("vtkSphericalRegistration", [self], progress, {**properties, "fixed": fixed})
+        algorithm, texts = updated("vtkSphericalRegistration", [self], progress, {**properties, "fixed": fixed},
+                                   reworded={"on output port 1": "`second` of the result"})
         registered, second = (Surface(algorithm.GetOutput(port), warnings=[*self._warnings, *texts]) for port in (0, 1))
         registered._second = second if len(second) else None
         return registered
@@ -257,6 +264,7 @@ class Surface:
 
             happy, sad = face.posed(other.register(face), [happy_points, sad_points])
         """
+        expect_several(poses, "poses")
         rest, shapes = Surface(source).polydata, []
         algorithm: typing.Any = None
         for pose in poses:
@@ -379,7 +387,7 @@ def columns_of(table: typing.Any) -> typing.Dict[str, Array]:
 
 def colors_in(colors: npt.ArrayLike, count: int) -> Array:
     """Return colors as count x 3 bytes. Raises ValueError unless they are such numbers."""
-    array = np.asarray(colors)
+    array = array_of(colors, f"colors as {count} x 3 integers in [0, 255]")
     if array.shape != (count, 3) or array.dtype.kind not in "iu" or array.size and (
             array.min() < 0 or array.max() > 255):
         raise ValueError(f"expected colors as {count} x 3 integers in [0, 255], not of the shape {array.shape} and "

@@ -27,6 +27,8 @@ def expect_available(crs):
             osr.SpatialReference().SetFromUserInput(crs)
         except RuntimeError as error:
             raise WrongUsage(f"--crs {crs}: {error}") from None
+        except TypeError:  # a text that is not UTF-8
+            raise WrongUsage(f"--crs {crs}: GDAL does not know it") from None
 
 
 def reference_system(crs, name, radius):

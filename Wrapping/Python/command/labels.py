@@ -16,8 +16,7 @@ def meters_of(data, unit, default, steps):
     value = value_of(data, "MetersPerUnit")
     labeled = value.ToDouble() if value else None
     if unit and labeled and METERS[unit] != labeled:
-        steps.warnings.append(f"--unit: {unit} is used, but the label has {labeled:g} m per unit")
-        steps.ended("Unit", steps.warnings[-1:])
+        steps.note("--unit", f"{unit} is used, but the label has {labeled:g} m per unit")
     return METERS[unit] if unit else labeled or METERS[default]
 
 

@@ -1,5 +1,6 @@
 """The command conformalsom: from scans to painted surfaces."""
 import argparse
+import contextlib
 import importlib
 import json
 import os
@@ -12,7 +13,7 @@ import conformalsom
 from conformalsom.messages import FilterFailed
 
 from . import details, jobs, outputs, pictures, presets, surfaces, textures
-from .plan import METERS, WrongUsage, expect_directions, expect_utf8, paths_of, positive
+from .plan import METERS, WrongUsage, expect_directions, expect_utf8, in_range, paths_of, positive
 from .progress import Bar, printable
 from .steps import Interrupted
 
@@ -39,33 +40,8 @@ exit status:
   2  wrong usage, no file was written. Also if an output file exists, cannot be written, or is an input
   Ctrl-C ends the command by the signal; unfinished files are removed."""
 
-SIZES = range(12, 10000003)  # those of geodesic spheres
-VERTICES = range(500, 10000003)  # those of adaptive spheres
-TEXELS = range(1, 16385)
-
-
-def size(text):
-    """A number of points."""
-    number = int(text)
-    if number not in SIZES:
-        raise argparse.ArgumentTypeError(f"{number} is not in [{SIZES[0]}, {SIZES[-1]}]")
-    return number
-
-
-def vertices(text):
-    """A number of points of a written surface."""
-    number = int(text)
-    if number not in VERTICES:
-        raise argparse.ArgumentTypeError(f"{number} is not in [{VERTICES[0]}, {VERTICES[-1]}]")
-    return number
-
-
-def texels(text):
-    """Number of pixels along a side of a texture."""
-    number = int(text)
-    if number not in TEXELS:
-        raise argparse.ArgumentTypeError(f"{number} is not in [{TEXELS[0]}, {TEXELS[-1]}]")
-    return number
+LARGEST = 10000002  # number of points of a geodesic sphere
+MINIMUM_POINTS = 500  # of an adaptive sphere
 
 
 class Renamed(argparse.Action):
@@ -93,7 +69,7 @@ def make_parser():
     parser.add_argument("--texture-map", choices=("balanced", "conformal"), default="balanced",
                         help="map by which pictures are laid: one that balances areas and angles (balanced), or the "
                              "surface's own map (conformal), which distorts pictures least; default balanced")
-    parser.add_argument("--texture-size", type=texels, metavar="N",
+    parser.add_argument("--texture-size", type=in_range(1, 16384), metavar="N",
                         help="width and height of the texture with the scan's colors, in pixels; by default, the "
                              "density of the scan determines it, up to 4096")
     parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
@@ -104,7 +80,7 @@ def make_parser():
                         help="type of the learned mesh: triangles of equal size (adaptive), the paper's geodesic "
                         "sphere (geodesic), or adaptive unless the points lie in a plane (automatic)")
     parser.add_argument("--lattice", action=Renamed, new="--mesh-type", help=argparse.SUPPRESS)
-    parser.add_argument("--neurons", type=size, metavar="N",
+    parser.add_argument("--neurons", type=in_range(12, LARGEST), metavar="N",
                         help="number of points of the learned mesh; by default, the number of points of the "
                              "scan and their noise determine it, up to 12962; for a geodesic mesh the nearest 10 f^2 + 2")
     border = parser.add_mutually_exclusive_group()
@@ -113,10 +89,10 @@ def make_parser():
                              "default, the surface is open if more than 22 percent of the closed surface has no points")
     border.add_argument("--closed", dest="border", action="store_const", const="Closed",
                         help="close the surface where there are no points")
-    parser.add_argument("--points", type=vertices, metavar="N",
+    parser.add_argument("--points", type=in_range(MINIMUM_POINTS, LARGEST), metavar="N",
                         help="number of points of the surface in each written file, within 2 percent, in [500, "
-                             "10000002]. Points that are duplicated where a picture is cut are counted, too; "
-                             "by default, each triangle of the learned mesh is divided until there are 64002 or more")
+                             "10000002]. Points that are duplicated where a picture is cut are counted, too. A note "
+                             "says so if the cut of a picture needs more points; by default, each triangle of the learned mesh is divided until there are 64002 or more")
     parser.add_argument("--preset", choices=presets.PRESETS,
                         help="values of options for a purpose, unless they are given: web (10,000 points with a normal "
                              "map, compressed), game (8,000, 2,000 and 500 points with a normal map), print (.3mf and "
@@ -240,11 +216,17 @@ def main(argv=None):
     occupy_standard_streams()
     if argv[:1] in (["shapes"], ["map"], ["movie"]):
         return subcommand(argv)
-    options, all_paths = arguments(argv)
+    return guarded(lambda bar: surfaces_of(argv, bar))
+
+
+def surfaces_of(argv, bar):
+    """Run the command without a subcommand; returns the exit status."""
+    with named_help():
+        options, all_paths = arguments(argv)
     if sys.stdout is None and (options.measure or options.report == "-"):
         complain("the standard output is closed, but the table or the report needs it")
         return 1
-    return guarded(lambda bar: run(options, all_paths, bar))
+    return run(options, all_paths, bar)
 
 
 def subcommand(argv):
@@ -254,8 +236,26 @@ def subcommand(argv):
     except ImportError as error:
         complain(f"{argv[0]}: {error}")
         return 1
-    options = chosen.arguments(argv[1:])
-    return guarded(lambda bar: chosen.run(options, bar))
+
+    def work(bar):
+        with named_help():
+            options = chosen.arguments(argv[1:])
+        return chosen.run(options, bar)
+    return guarded(work)
+
+
+@contextlib.contextmanager
+def named_help():
+    """Raise OSError if the text of --help or --version, after which argparse exits, cannot be printed."""
+    try:
+        try:
+            yield
+        except SystemExit:
+            if sys.stdout is not None:
+                sys.stdout.flush()
+            raise
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, error.filename or "the standard output") from error
 
 
 def guarded(work):

@@ -1,5 +1,6 @@
 """The command conformalsom map: a map of a body as a GeoTIFF of numbers, or as a picture."""
 import argparse
+import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -7,9 +8,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from conformalsom import vtkBodyMap, vtkBodyMapImage
 
 from . import geotiff, jobs, labels, map_picture, mapped_files, outputs, pictures, scan_files
-from .plan import METERS, Checks, WrongUsage, expect_extension, expect_utf8, parsed
+from .plan import METERS, Checks, WrongUsage, expect_extension, expect_utf8, in_range, parsed
 from .progress import printable
-from .steps import Steps
+from .steps import BarSteps
 
 DESCRIPTION = """\
 Draws the surface of a body, such as an asteroid, as a map in longitude and latitude. The file is a
@@ -20,6 +21,7 @@ EPILOG = """\
 bands:
   1 height  over an ellipsoid with the volume and the moments of the body [m]
   2 slope   angle between the surface and this ellipsoid [degrees]
+            (height and slope are computed at vertices, and interpolated between them)
   3 radius  distance from the center [m]
   4 area    of the surface in a pixel [m^2]
   5, 6, 7   x, y, z of the surface [m]
@@ -32,14 +34,6 @@ BANDS = ("height", "slope", "radius", "area", "x", "y", "z")
 AREA_BALANCE = 0.5  # of maps that are computed; see vtkGlobalConformalMap
 
 
-def width(text):
-    """A number of pixels."""
-    number = int(text)
-    if not 16 <= number <= 40000:
-        raise argparse.ArgumentTypeError(f"{number} is not in [16, 40000]")
-    return number
-
-
 def make_parser():
     """The options, of which --help and the manual page are made."""
     parser = argparse.ArgumentParser(prog="conformalsom map", description=DESCRIPTION, epilog=EPILOG,
@@ -48,7 +42,7 @@ def make_parser():
     parser.add_argument("-o", "--output", required=True, metavar="FILE", help="GeoTIFF to write (.tif or .tiff)")
     parser.add_argument("--unit", choices=METERS, help="unit of the coordinates in BODY; default: that of the label "
                         "beside BODY (.lbl or .xml of the Planetary Data System), else km")
-    parser.add_argument("--width", type=width, default=2000, metavar="N",
+    parser.add_argument("--width", type=in_range(16, 40000), default=2000, metavar="N",
                         help="width in pixels, twice the height; in [16, 40000], default 2000")
     parser.add_argument("--coordinates", choices=("planetocentric", "map"), default="planetocentric",
                         help="planetocentric: longitude and latitude as catalogs use them; a pixel shows the point "
@@ -75,6 +69,7 @@ def arguments(argv):
 
 def expect_sense(options):
     """Raise WrongUsage where the call cannot give a map."""
+    expect_utf8(options.body)
     checks = Checks(scan_files.inputs_of(options.body), options.overwrite)
     for path, extensions in ((options.output, (".tif", ".tiff")), (options.picture, outputs.PICTURES)):
         if path:
@@ -89,9 +84,9 @@ def expect_sense(options):
     geotiff.expect_available(options.crs)
 
 
-def run(options, _):
+def run(options, bar):
     """Read, map, draw and write; returns the exit status."""
-    steps = Steps()
+    steps = BarSteps(bar, options.body)
     jobs.handle_signals(steps.interrupt)  # aborts the filter that runs: VTK drops what an observer raises
     surface = mapped_files.read(options.body, AREA_BALANCE, steps)
     meters = labels.meters_of(surface, options.unit, "km", steps)
@@ -108,12 +103,18 @@ def run(options, _):
             geotiff.write(path, bands, options.central_longitude, name, float(points.mean()), options.crs)
     if options.picture:
         write_picture(options, bands, name, steps)
-    for warning in steps.warnings:
-        print(printable(warning))
-    missing = np.isnan(bands["radius"]).mean()
-    print(f"wrote {printable(options.output)}: {options.width} x {options.width // 2} pixels, heights "
-          f"{np.nanmin(bands['height']):.4g} to {np.nanmax(bands['height']):.4g} m, {100.0 * missing:.3g} % without values")
+    bar.clear()
+    if sys.stdout is not None:
+        with outputs.named_errors("the standard output"):
+            print(summary_of(options, bands), flush=True)
     return 0
+
+
+def summary_of(options, bands):
+    """A line with the size of the map and the range of the heights."""
+    missing = np.isnan(bands["radius"]).mean()
+    return (f"wrote {printable(options.output)}: {options.width} x {options.width // 2} pixels, heights "
+            f"{np.nanmin(bands['height']):.4g} to {np.nanmax(bands['height']):.4g} m, {100.0 * missing:.3g} % without values")
 
 
 def write_picture(options, bands, name, steps):

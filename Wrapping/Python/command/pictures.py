@@ -16,6 +16,8 @@ from vtkmodules.vtkRenderingCore import (
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 (draws the labels)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (draws everything)
 
+from .outputs import extension_of
+
 CLAY, INK, SLATE = (0.80, 0.62, 0.46), (0.20, 0.24, 0.30), (0.28, 0.42, 0.60)
 HAZE = (0.93, 0.94, 0.96)  # what lies behind the dots of a cloud
 FINER = 2  # pixels drawn for each pixel kept, along each axis
@@ -180,7 +182,7 @@ def can_draw():
 def picture_writer(path):
     """The writer for a PNG file, or for a JPEG file by the ending .jpg."""
     writer = vtkPNGWriter()
-    if path.endswith(".jpg"):
+    if extension_of(path) == ".jpg":
         writer = vtkJPEGWriter()
         writer.SetQuality(90)
     writer.SetFileName(path)

@@ -71,6 +71,17 @@ def expect_name(path):
         raise WrongUsage(f"{path}: names of files to write cannot have newlines or other control characters")
 
 
+def in_range(low, high):
+    """The type of an integer in [low, high]."""
+    def number(text):
+        value = int(text)
+        if not low <= value <= high:
+            raise argparse.ArgumentTypeError(f"{value} is not in [{low}, {high}]")
+        return value
+    number.__name__ = "integer"  # in the message about other texts
+    return number
+
+
 def positive(text):
     """Parse a positive integer."""
     number = int(text)
@@ -79,15 +90,7 @@ def positive(text):
     return number
 
 
-def in_range(low, high):
-    """The type of an integer in [low, high]."""
-    def number(text):
-        value = int(text)
-        if not low <= value <= high:
-            raise argparse.ArgumentTypeError(f"{value} is not in [{low}, {high}]")
-        return value
-    number.__name__ = "number"
-    return number
+positive.__name__ = "integer"
 
 
 def expect_directions(view, up):

@@ -25,7 +25,7 @@ class Bar:
         """Show how much is done of a step in what is called name."""
         if self.terminal and (name, label, percent) != self.shown:
             bar = "#" * (BAR * percent // 100)
-            line = f"{percent:3} % [{bar:<{BAR}}] {printable(name)}: {label}"
+            line = f"{percent:3} % [{bar:<{BAR}}] {printable(name)}: {printable(label)}"
             self.clear()
             sys.stderr.write(line[:shutil.get_terminal_size().columns - 1])
             sys.stderr.flush()

@@ -22,6 +22,7 @@ from .plan import Paths
 SPHERE = "SpherePosition"
 AREA_BALANCE = 0.5  # gives limbs area on the sphere
 MEAN_FREQUENCY = 45  # of means to register with, as in vtkSphericalTemplate
+AMBIGUITY = "two correspondences are about equally good"  # begin of a warning, which names a port of the filter
 TARGETS = ("TargetPointIds", "TargetBarycentric", "TargetCellId")  # of registrations, not of shapes
 
 
@@ -137,8 +138,11 @@ def registered(step, _, steps):
     registration.SetInputData(1, fixed)
     if step.landmarks:
         shape_landmarks.add_to(registration, moving, fixed, step)
-    steps.run("Register", registration)
+    steps.run("Register", registration, known=lambda text: text.startswith(AMBIGUITY))
     surface = registration.GetOutput()
+    if number(surface, "Ambiguous"):
+        steps.note("Register", f"{AMBIGUITY}, such as head and tail of similar shape; inspect the surface, or add landmarks "
+                               "by --landmarks")
     for name in TARGETS:
         surface.GetPointData().RemoveArray(name)
     return surface

@@ -6,6 +6,8 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 from conformalsom.messages import FilterFailed, heard
 
+from .progress import printable
+
 
 class StepFailed(FilterFailed):
     """The text begins with the step's name."""
@@ -81,11 +83,32 @@ class Steps:
 
     def advanced(self, label, fraction):
         """Show how much of the step is done."""
-        if sys.stdout.isatty():
-            print(f"\r{label:<28}{100 * fraction:6.0f} %", end="", flush=True)
+        if sys.stdout is not None and sys.stdout.isatty():
+            print(f"\r{printable(label):<28}{100 * fraction:6.0f} %", end="", flush=True)
 
     def ended(self, label, warnings):
         """Show that the step is done."""
-        print(f"\r{label:<34}" if sys.stdout.isatty() else label, flush=True)
+        if sys.stdout is None:
+            return
+        shown = printable(label)
+        print(f"\r{shown:<34}" if sys.stdout.isatty() else shown, flush=True)
         for text in warnings:
-            print(f"  note: {text}", flush=True)
+            print(f"  note: {printable(text)}", flush=True)
+
+
+class BarSteps(Steps):
+    """Steps that a bar shows on a terminal. Notes are lines on the standard error, after the name of the input."""
+
+    def __init__(self, bar, name):
+        super().__init__()
+        self.bar, self.name = bar, name
+
+    def began(self, label):
+        self.bar.show(self.name, label, 0)
+
+    def advanced(self, label, fraction):
+        self.bar.show(self.name, label, int(100 * min(max(fraction, 0.0), 1.0)))
+
+    def ended(self, label, warnings):
+        for text in warnings:
+            self.bar.note(f"conformalsom: {self.name}: note: {label}: {text}")

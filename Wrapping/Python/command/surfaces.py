@@ -104,12 +104,13 @@ def cut_to_number(cut, number, make):
     return cut
 
 
-def expect_number(surface, options, steps):
-    """Warn if a surface does not have the number of points of --points."""
+def expect_number(surface, options, steps, has_border):
+    """Warn if a cut surface does not have the number of points of --points."""
     found = surface.GetOutputDataObject(0).GetNumberOfPoints()
     if options.points is not None and abs(found - options.points) > 0.02 * options.points:
-        steps.warnings.append(f"--points: the surface has {found:,} points instead of {options.points:,}")
-        steps.ended("Points", steps.warnings[-1:])
+        reason = "all triangles of an open surface are divided equally" if has_border else (
+            "the cut of the picture adds points")
+        steps.note("--points", f"the surface has {found:,} points instead of {options.points:,}, since {reason}")
 
 
 def one_color():
@@ -142,9 +143,7 @@ def textured_writer(writer, drawn, path, options, steps):
     for level in drawn.levels:
         writer.AddInputConnection(3, level.GetOutputPort())
     if options.compress and not outputs.compress(writer):
-        steps.warnings.append("--compress: this build lacks the library meshoptimizer, so that the files are "
-                              "only quantized")
-        steps.ended("Compress", steps.warnings[-1:])
+        steps.note("--compress", "this build lacks the library meshoptimizer, so that the files are only quantized")
 
 
 def in_millimeters(surface, meters):
@@ -222,7 +221,7 @@ def make_surface(task, texture, options, steps):
         if made_anew and (options.measure or options.report):
             measured = report.measured(steps, "surface", made_anew[-1], scan)
             cut = cut_surface(measured, options, steps, projection)
-        expect_number(cut, options, steps)
+        expect_number(cut, options, steps, is_open(network))
     if colors is not None:
         texture = scan_colors.baked(cut, points, colors, options.texture_size)
         steps.run("Bake the scan's colors", texture, lambda: scan_colors.bake(texture, options.texture_size))

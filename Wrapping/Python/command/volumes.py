@@ -65,6 +65,14 @@ def unit_of(volume, reader=None):
     return ""
 
 
+def expect_header(path, reader):
+    """Raise ValueError for a file that is no MetaImage file, about which VTK's reader prints errors."""
+    if isinstance(reader, vtkMetaImageReader):
+        with open(path, "rb") as file:
+            if b"NDims" not in file.read(2**16):
+                raise ValueError(f"{path}: not a MetaImage file")
+
+
 def expect_one_volume(path, reader):
     """Raise ValueError if a file has time steps that its reader would not read."""
     if isinstance(reader, vtkNIFTIImageReader) and reader.GetTimeDimension() > 1:
@@ -107,6 +115,7 @@ def is_true(words, key):
 def read(path, steps, label, time=0.0):
     """The volume at a time, and its unit. Raises StepFailed or ValueError for a file that cannot be read."""
     reader = volume_reader(path)
+    expect_header(path, reader)
     steps.take_outside_messages()
     steps.run(label, reader, lambda: reader.UpdateTimeStep(time))
     broken = [text for text in steps.take_outside_messages() if text.startswith("Error")]
