@@ -42,8 +42,8 @@ struct MapLabels
 /// on the projection, and their sum is the area of the surface.
 ///
 /// Perimeter: L = pi / 2 sum w_k s_k N_k over eight directions to pixels nearby, \cite Legland2007
-/// section 2.2. N_k is the number of pairs of pixels of which one has the label. On the surface, s_k
-/// is the spacing of the lines through pixels, and w_k is the share of angles nearest to the
+/// section 2.2. N_k is the number of pairs of pixels of which one has the label. On the surface,
+/// s_k is the spacing of the lines through pixels, and w_k is the share of angles nearest to the
 /// direction; both are computed at each pair. Own construction: the directions are chosen at each
 /// pixel, from a reduced basis of the lattice of pixels on the surface, so that they are about
 /// evenly spaced also where pixels are sheared or oblong. For a smooth outline of many pixels, the

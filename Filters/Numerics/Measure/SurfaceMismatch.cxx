@@ -282,7 +282,7 @@ double curvatureError(const Points& model, const Triangles& givenTriangles, cons
   const Index count = std::min<Index>(all, MaximumCurvatureSamples);
   Eigen::VectorXd squares = Eigen::VectorXd::Constant(count, -1.0);
   // Disks can contain a fourth of the triangles, so that reports need to come after a few samples.
-  constexpr Index chunkSize = 16;
+  constexpr Index chunkSize = 64;
   std::vector<std::array<MeanCurvature::Memory, 2>> memories(chunkSize);
   for (Index start = 0; start < count; start += chunkSize)
   {
