@@ -39,14 +39,19 @@ conformal::PixelGrid GridOf(vtkImageData* picture)
   return { picture->GetDimensions()[0], picture->GetDimensions()[1] };
 }
 
-double Mixed(vtkDataArray* pixels, const conformal::PixelMix& mix, int component)
+// Return a share of a mix of pixels. Pixels without weight do not count, whatever their value: a
+// picture can have the value NaN where it has no data.
+double ShareOf(double share, vtkDataArray* pixels, const conformal::PixelMix& mix, int component)
 {
   double sum = 0.0;
   for (std::size_t k = 0; k < mix.Pixels.size(); ++k)
   {
-    sum += mix.Weights[k] * pixels->GetComponent(mix.Pixels[k], component);
+    if (share > 0.0 && mix.Weights[k] > 0.0)
+    {
+      sum += mix.Weights[k] * pixels->GetComponent(mix.Pixels[k], component);
+    }
   }
-  return sum;
+  return share * sum;
 }
 
 conformal::BlendSink Painter(vtkDataArray* front, vtkDataArray* back, vtkDataArray* pixels)
@@ -59,8 +64,8 @@ conformal::BlendSink Painter(vtkDataArray* front, vtkDataArray* back, vtkDataArr
       const double share = blended[i].FrontShare;
       for (int c = 0; c < pixels->GetNumberOfComponents(); ++c)
       {
-        const double value = share * Mixed(front, blended[i].Front, c) +
-          (1.0 - share) * Mixed(back, blended[i].Back, c);
+        const double value = ShareOf(share, front, blended[i].Front, c) +
+          ShareOf(1.0 - share, back, blended[i].Back, c);
         pixels->SetComponent(
           first + static_cast<vtkIdType>(i), c, isWhole ? std::round(value) : value);
       }

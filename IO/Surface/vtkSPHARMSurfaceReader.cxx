@@ -11,6 +11,11 @@ vtkStandardNewMacro(vtkSPHARMSurfaceReader);
 
 namespace
 {
+bool HasText(const char* name)
+{
+  return name && name[0];
+}
+
 // Return the name of the sphere that belongs to a surface. The name is empty if there is no such
 // file.
 std::string SphereBeside(const char* surface)
@@ -40,7 +45,7 @@ conformal::SurfaceResult vtkSPHARMSurfaceReader::Parse(
   conformal::ByteReader& input, const conformal::FilePiece&, const conformal::Run& run)
 {
   const std::string sphere =
-    this->SphereFileName ? this->SphereFileName : SphereBeside(this->FileName);
+    HasText(this->SphereFileName) ? this->SphereFileName : SphereBeside(this->FileName);
   conformal::SurfaceResult result = conformal::parseSPHARMMesh(input, {}, run);
   conformal::addSphere(
     result, sphere, [](conformal::ByteReader& file) { return conformal::parseSPHARMMesh(file); });
@@ -50,7 +55,8 @@ conformal::SurfaceResult vtkSPHARMSurfaceReader::Parse(
 //------------------------------------------------------------------------------
 std::vector<std::string> vtkSPHARMSurfaceReader::FilesReadToo()
 {
-  return { this->SphereFileName ? this->SphereFileName : conformal::sphereNameOf(this->FileName) };
+  return { HasText(this->SphereFileName) ? this->SphereFileName
+                                         : conformal::sphereNameOf(this->FileName) };
 }
 
 //------------------------------------------------------------------------------

@@ -88,9 +88,15 @@ void vtkSurfaceFileWriter::WriteData()
       throw glue::WriteError(vtkErrorCode::NoFileNameError, "FileName is not set");
     }
     glue::RequireConsistentInputs(this);
-    if (auto* surface = vtkPolyData::SafeDownCast(this->GetInput(0)))
+    for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
     {
-      glue::RequireCellIds(surface);
+      for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+      {
+        if (auto* surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(port, i)))
+        {
+          glue::RequireCellIds(surface);
+        }
+      }
     }
     this->WriteFiles(glue::RunOf(this));
     this->SetErrorCode(vtkErrorCode::NoError);

@@ -7,6 +7,7 @@
 #include "Glue/StackConversions.h"
 #include "TIFF/TIFFStackParser.h"
 
+#include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -175,6 +176,12 @@ int vtkTIFFStackReader::RequestData(
         vtkWarningMacro(<< replaced << " values that are not finite were replaced by 0");
       }
       output->ShallowCopy(result);
+      vtkInformation* info = outputVector->GetInformationObject(0);
+      if (info->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()))
+      {
+        output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
+          info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[options.Frame]);
+      }
     });
 }
 

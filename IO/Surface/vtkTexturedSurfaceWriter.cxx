@@ -166,11 +166,13 @@ std::string ToPNG(vtkImageData* texture)
 
 std::string ToJPEG(vtkImageData* texture)
 {
-  constexpr int quality = 85;
+  constexpr int quality = 85, largest = 65500;
   if (PixelsOf(texture)->GetNumberOfComponents() == 4)
   {
     return ToPNG(texture);
   }
+  Require(std::max(texture->GetDimensions()[0], texture->GetDimensions()[1]) <= largest,
+    "a JPEG picture has at most 65500 pixels in a row or column; set TextureFormat to PNG");
   const vtkNew<vtkJPEGWriter> writer;
   writer->SetQuality(quality);
   writer->ProgressiveOff();

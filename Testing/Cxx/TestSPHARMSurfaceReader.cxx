@@ -34,6 +34,7 @@ TEST(SPHARMSurfaceReader, PairsASurfaceWithTheSphereOfItsName)
   EXPECT_EQ(reading.Output->GetPoint(1)[0], 1.5);
   contract::ExpectSpherePosition(reading.Output);
   EXPECT_EQ(reading.Output->GetPointData()->GetArray("SpherePosition")->GetComponent(3, 2), 1.0);
+  contract::ExpectSpherePosition(Read(surface, "").Output); // as without a name
   // Or with one of any other name.
   const std::string other = folder.write("b.vtk", samples::SPHARMMeshByOffsets());
   contract::ExpectSpherePosition(Read(other, sphere.c_str()).Output);

@@ -69,6 +69,31 @@ TEST_F(SphericalTextureBlend, FadesFromTheFrontToTheBack)
   EXPECT_EQ(this->At(55, 16), 100.0);
 }
 
+// Directions outside of a picture show its border, with a share of 0.
+TEST_F(SphericalTextureBlend, PixelsWithoutWeightDoNotCount)
+{
+  const auto picture = [](double value, double border)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(20, 20, 1);
+    image->AllocateScalars(VTK_FLOAT, 1);
+    for (int i = 0; i < 400; ++i)
+    {
+      const int column = i % 20, row = i / 20;
+      const bool isBorder = column == 0 || column == 19 || row == 0 || row == 19;
+      image->GetPointData()->GetScalars()->SetComponent(i, 0, isBorder ? border : value);
+    }
+    return image;
+  };
+  this->Filter->SetFrontData(picture(1.0, std::numeric_limits<double>::quiet_NaN()));
+  this->Filter->SetBackData(picture(2.0, 2.0));
+  this->Filter->SetBlendAngle(0.0);
+  this->Filter->Update();
+  EXPECT_EQ(this->At(32, 16), 1.0);
+  EXPECT_EQ(this->At(0, 16), 2.0);
+  EXPECT_EQ(this->At(8, 16), 2.0);
+}
+
 // Pictures taken of a colored object from both sides give back its colors all around.
 TEST_F(SphericalTextureBlend, TwoViewsShowAllOfTheObject)
 {

@@ -5,6 +5,7 @@
 #include "../TemporaryFolder.h"
 #include "FilterContract.h"
 
+#include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -53,6 +54,8 @@ TEST(TIFFStackReader, ChannelsAreComponentsAndFramesAreTimeSteps)
     vtkDataArray* values = reader->GetOutput()->GetPointData()->GetScalars();
     ASSERT_EQ(values->GetNumberOfComponents(), 2);
     EXPECT_EQ(values->GetComponent(4, 1), 200 * frame + 111) << time; // row 1, column 1
+    EXPECT_EQ(
+      reader->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 2.5 * frame);
   }
   EXPECT_EQ(reader->GetOutput()->GetSpacing()[0], 0.5);
   auto* unit =

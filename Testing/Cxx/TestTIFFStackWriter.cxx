@@ -66,6 +66,23 @@ TEST(TIFFStackWriter, ImagesAreReadBackAndByVTK)
   }
 }
 
+TEST(TIFFStackWriter, SpacingIsReadBackWithoutAUnit)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.file("stack.tif");
+  vtkNew<vtkTIFFStackWriter> writer;
+  writer->SetInputData(Volume());
+  writer->SetFileName(path.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkTIFFStackReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  for (int a = 0; a < 3; ++a)
+  {
+    EXPECT_NEAR(reader->GetOutput()->GetSpacing()[a], Volume()->GetSpacing()[a], 1e-9);
+  }
+}
+
 TEST(TIFFStackWriter, ValuesBecomeWholeNumbersOrAreRefused)
 {
   const TemporaryFolder folder;

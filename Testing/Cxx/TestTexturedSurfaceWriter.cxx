@@ -25,6 +25,7 @@
 #include "vtkTriangleFilter.h"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace
@@ -108,7 +109,8 @@ void ExpectSameTriangles(vtkPolyData* surface, vtkPolyData* expected)
 
 struct Writing
 {
-  Writing(vtkPolyData* surface, vtkImageData* texture, const std::string& path)
+  Writing(vtkPolyData* surface, vtkImageData* texture, const std::string& path,
+    const std::function<void(vtkTexturedSurfaceWriter*)>& change = {})
     : Observed(this->Writer)
   {
     this->Writer->SetInputData(0, surface);
@@ -119,6 +121,10 @@ struct Writing
     if (!path.empty())
     {
       this->Writer->SetFileName(path.c_str());
+    }
+    if (change)
+    {
+      change(this->Writer);
     }
     this->Result = this->Writer->Write();
   }
@@ -454,6 +460,19 @@ TEST(TexturedSurfaceWriter, RefusesWhatCannotBeWritten)
   volume->SetDimensions(2, 2, 2);
   volume->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   refuse(sphere, volume, "not a 2D image");
+  vtkNew<vtkImageData> wide;
+  wide->SetDimensions(65501, 1, 1);
+  wide->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  wide->GetPointData()->GetScalars()->Fill(0.0);
+  ExpectRefused(Writing(sphere, wide, folder.file("sphere.glb"),
+                  [](vtkTexturedSurfaceWriter* writer) { writer->SetTextureFormatToJPEG(); }),
+    vtkErrorCode::UserError, "at most 65500 pixels");
+  const auto level = TexturedSphere();
+  const vtkIdType wrong[] = { 0, 1, 100000000 };
+  level->GetPolys()->InsertNextCell(3, wrong);
+  ExpectRefused(Writing(sphere, picture, folder.file("sphere.glb"),
+                  [&](vtkTexturedSurfaceWriter* writer) { writer->AddInputDataObject(3, level); }),
+    vtkErrorCode::UserError, "100000000");
   EXPECT_EQ(folder.numberOfFiles(), 0u);
   const Writing untextured(sphere, nullptr, folder.file("sphere.glb"));
   EXPECT_EQ(untextured.Result, 0);

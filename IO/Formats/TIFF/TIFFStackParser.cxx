@@ -123,10 +123,15 @@ double spacingOf(const TIFFDirectory& page, TIFFTag tag)
 
 void readUnits(const TIFFDirectory& page, TIFFStackInfo& info)
 {
+  constexpr double ofDescription = 1.0; // the resolution is in the unit of the description, if any
   const std::string unit = valueOf(page.Description, "unit").value_or("");
-  if (!unit.empty() && unit != "pixel")
+  const bool hasUnit = !unit.empty() && unit != "pixel";
+  if (hasUnit)
   {
     info.Unit = unit == "\\u00B5m" || unit == "\xB5m" ? "micron" : unit;
+  }
+  if (hasUnit || page.number(TIFFTag::ResolutionUnit, 0.0) == ofDescription)
+  {
     info.Spacing[0] = spacingOf(page, TIFFTag::XResolution);
     info.Spacing[1] = spacingOf(page, TIFFTag::YResolution);
   }
