@@ -4,11 +4,14 @@
 #include "Properties.h"
 #include "Surfaces.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 namespace cases
 {
@@ -29,6 +32,28 @@ vtkSmartPointer<vtkImageData> Columns(int width)
   image->GetPointData()->SetScalars(labels);
   return image;
 }
+
+// Take the first component of a color picture, as pictures for all classes are. Labels have one.
+void TakeFirstComponent(vtkAlgorithm* filter)
+{
+  auto* picture = vtkImageData::SafeDownCast(filter->GetInputDataObject(1, 0));
+  vtkDataArray* colors = picture ? picture->GetPointData()->GetScalars() : nullptr;
+  if (!colors || colors->GetNumberOfComponents() != 3)
+  {
+    return;
+  }
+  const auto labels = vtkSmartPointer<vtkDataArray>::Take(colors->NewInstance());
+  labels->SetName(colors->GetName());
+  labels->SetNumberOfTuples(colors->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    labels->SetComponent(i, 0, colors->GetComponent(i, 0));
+  }
+  vtkNew<vtkImageData> gray;
+  gray->ShallowCopy(picture);
+  gray->GetPointData()->SetScalars(labels);
+  filter->SetInputDataObject(1, gray);
+}
 }
 
 Case MapLabels()
@@ -36,6 +61,7 @@ Case MapLabels()
   using F = vtkMapLabels;
   Case all = CaseOf<F>("vtkMapLabels");
   Mode labels = { "", { Surface(BadPoints | BadIds | BadMap), Picture("vtkMapLabels labels") } };
+  labels.Set = [](vtkAlgorithm* filter, vtkPolyData*) { TakeFirstComponent(filter); };
   labels.Properties = { Name("ArrayName", &F::SetArrayName),
     Integer("Projection", &F::SetProjection), Number("CentralLongitude", &F::SetCentralLongitude),
     Number("CapsuleAspect", &F::SetCapsuleAspect) };
