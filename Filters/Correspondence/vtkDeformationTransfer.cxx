@@ -223,7 +223,7 @@ int vtkDeformationTransfer::RequestInformation(
   std::vector<double> times = glue::TimeStepsOf(inputs[2]);
   if (times.empty())
   {
-    // Blocks can be counted only if the input is up to date.
+    // Blocks can be counted only if the input is up to date. Otherwise, RequestData counts them.
     glue::Surfaces poses;
     try
     {
@@ -267,6 +267,10 @@ int vtkDeformationTransfer::RequestData(
       vtkPolyData *target = rest.Held[0], *source = rest.Held[1];
       vtkPolyData* pose = RequestedPose(inputs[2], poses, time);
       RequireSameCells(pose, source);
+      if (glue::TimeStepsOf(inputs[2]).empty())
+      {
+        glue::SetTimeSteps(info, CountedTimes(poses.Held.size()));
+      }
       const bool isKept = this->Kept && this->Kept->isOf(rest.Times, align, contacts);
       conformal::Steps steps(glue::RunOf(this), { isKept ? 0.0 : 0.9, 0.08, 0.02 });
       const conformal::Run preparing = steps.next();

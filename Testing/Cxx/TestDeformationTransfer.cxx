@@ -8,6 +8,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataGroupFilter.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSMPTools.h"
@@ -179,6 +180,19 @@ TEST_F(DeformationTransfer, BlocksArePoses)
   this->Filter->SetPoseData(blocks);
   EXPECT_LT(
     LargestDistance(this->At(1.0), Bent(this->Source, -1.0)), 1e-9 * this->Source->GetLength());
+}
+
+// Blocks of a filter that has not run yet cannot be counted before the update.
+TEST_F(DeformationTransfer, BlocksThatAreMadeInTheUpdateAreCounted)
+{
+  vtkNew<vtkMultiBlockDataGroupFilter> group;
+  for (const double angle : { 0.0, 0.5, 1.0 })
+  {
+    group->AddInputDataObject(Bent(this->Source, angle));
+  }
+  this->Filter->SetPoseConnection(group->GetOutputPort());
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetOutputInformation(0)->Length(Executive::TIME_STEPS()), 3);
 }
 
 TEST_F(DeformationTransfer, TimeStepsOfThePosesAreThoseOfTheOutput)
