@@ -39,16 +39,6 @@ std::size_t PoseAt(const std::vector<double>& times, double time)
   return after == times.begin() ? 0 : after - times.begin() - 1;
 }
 
-std::vector<double> CountedTimes(std::size_t size)
-{
-  std::vector<double> times(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    times[i] = static_cast<double>(i);
-  }
-  return times;
-}
-
 // Return the pose at the requested time. Replace the requested time by that of the pose.
 vtkPolyData* RequestedPose(vtkInformationVector* inputs, const glue::Surfaces& poses, double& time)
 {
@@ -62,7 +52,7 @@ vtkPolyData* RequestedPose(vtkInformationVector* inputs, const glue::Surfaces& p
     time = times[PoseAt(times, time)];
     return poses.Held.front();
   }
-  const std::vector<double> counted = CountedTimes(poses.Held.size());
+  const std::vector<double> counted = glue::CountedTimes(poses.Held.size());
   const std::size_t number = PoseAt(counted, time);
   time = counted[number];
   return poses.Held[number];
@@ -233,7 +223,7 @@ int vtkDeformationTransfer::RequestInformation(
     {
       return 1; // RequestData reports it
     }
-    times = CountedTimes(
+    times = glue::CountedTimes(
       std::max<std::size_t>(poses.Held.size(), inputs[2]->GetNumberOfInformationObjects()));
   }
   if (!times.empty())
@@ -269,7 +259,7 @@ int vtkDeformationTransfer::RequestData(
       RequireSameCells(pose, source);
       if (glue::TimeStepsOf(inputs[2]).empty())
       {
-        glue::SetTimeSteps(info, CountedTimes(poses.Held.size()));
+        glue::SetTimeSteps(info, glue::CountedTimes(poses.Held.size()));
       }
       const bool isKept = this->Kept && this->Kept->isOf(rest.Times, align, contacts);
       conformal::Steps steps(glue::RunOf(this), { isKept ? 0.0 : 0.9, 0.08, 0.02 });

@@ -176,21 +176,11 @@ public:
       [](const SeriesStep& step) { return step.Surface->GetNumberOfPoints() == 0; });
   }
 
-  // Return the times of separate inputs.
-  std::vector<double> CountedTimes(std::size_t size) const
-  {
-    std::vector<double> times(size);
-    for (std::size_t s = 0; s < size; ++s)
-    {
-      times[s] = this->Interval * static_cast<double>(s);
-    }
-    return times;
-  }
-
   // Return the times of all time steps, also of those that are not read yet.
   std::vector<double> AllTimes() const
   {
-    return this->Times.empty() ? this->CountedTimes(this->Steps.size()) : this->Times;
+    return this->Times.empty() ? glue::CountedTimes(this->Steps.size(), this->Interval)
+                               : this->Times;
   }
 
   bool HasAll() const { return !this->Times.empty() && this->Steps.size() == this->Times.size(); }
@@ -210,7 +200,7 @@ public:
       return;
     }
     this->Steps.clear();
-    const std::vector<double> times = this->CountedTimes(surfaces.Held.size());
+    const std::vector<double> times = glue::CountedTimes(surfaces.Held.size(), this->Interval);
     for (std::size_t s = 0; s < times.size(); ++s)
     {
       this->Steps.push_back({ times[s], surfaces.Held[s], -1, {} });
@@ -611,8 +601,9 @@ int vtkSphericalTimeSeries::RequestInformation(
     {
       return 1; // RequestData reports it
     }
-    times = this->Kept->CountedTimes(
-      std::max<std::size_t>(surfaces.Held.size(), inputs[0]->GetNumberOfInformationObjects()));
+    times = glue::CountedTimes(
+      std::max<std::size_t>(surfaces.Held.size(), inputs[0]->GetNumberOfInformationObjects()),
+      this->TimeInterval);
   }
   SetTimesOf(outputs, times);
   return 1;

@@ -139,6 +139,17 @@ std::vector<double> TimeStepsOf(vtkInformationVector* inputs)
 }
 
 //------------------------------------------------------------------------------
+std::vector<double> CountedTimes(std::size_t count, double interval)
+{
+  std::vector<double> times(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    times[i] = interval * static_cast<double>(i);
+  }
+  return times;
+}
+
+//------------------------------------------------------------------------------
 void SetTimeSteps(vtkInformation* outputInformation, const std::vector<double>& times)
 {
   using Executive = vtkStreamingDemandDrivenPipeline;

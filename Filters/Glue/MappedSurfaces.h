@@ -51,6 +51,9 @@ void SetNamedBlock(
 /// return no times.
 std::vector<double> TimeStepsOf(vtkInformationVector* inputs);
 
+/// Return the times of separate inputs or blocks: multiples of the interval, beginning at 0.
+std::vector<double> CountedTimes(std::size_t count, double interval = 1.0);
+
 /// Set the time steps of an output in the pipeline information.
 /// @param[in] times  at least one, in ascending order
 void SetTimeSteps(vtkInformation* outputInformation, const std::vector<double>& times);

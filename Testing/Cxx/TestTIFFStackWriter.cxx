@@ -31,27 +31,33 @@ vtkSmartPointer<vtkImageData> Volume()
   image->GetPointData()->SetScalars(values);
   return image;
 }
+
+// Write the volume, read it back, and compare the spacing.
+vtkSmartPointer<vtkImageData> WrittenAndRead(const std::string& path, const char* unit)
+{
+  vtkNew<vtkTIFFStackWriter> writer;
+  writer->SetInputData(Volume());
+  writer->SetFileName(path.c_str());
+  writer->SetUnit(unit);
+  EXPECT_EQ(writer->Write(), 1);
+  vtkNew<vtkTIFFStackReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  for (int a = 0; a < 3; ++a)
+  {
+    EXPECT_NEAR(reader->GetOutput()->GetSpacing()[a], Volume()->GetSpacing()[a], 1e-9);
+  }
+  return reader->GetOutput();
+}
 }
 
 TEST(TIFFStackWriter, ImagesAreReadBackAndByVTK)
 {
   const TemporaryFolder folder;
   const std::string path = folder.file("stack.tif");
-  vtkNew<vtkTIFFStackWriter> writer;
-  writer->SetInputData(Volume());
-  writer->SetFileName(path.c_str());
-  writer->SetUnit("mm");
-  ASSERT_EQ(writer->Write(), 1);
-  vtkNew<vtkTIFFStackReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
+  const auto image = WrittenAndRead(path, "mm");
   ASSERT_EQ(image->GetNumberOfPoints(), 24);
   EXPECT_EQ(image->GetScalarType(), VTK_FLOAT);
-  for (int a = 0; a < 3; ++a)
-  {
-    EXPECT_NEAR(image->GetSpacing()[a], Volume()->GetSpacing()[a], 1e-9);
-  }
   vtkNew<vtkTIFFReader> other; // another program; its versions differ in the direction of rows
   other->SetFileName(path.c_str());
   other->Update();
@@ -69,18 +75,7 @@ TEST(TIFFStackWriter, ImagesAreReadBackAndByVTK)
 TEST(TIFFStackWriter, SpacingIsReadBackWithoutAUnit)
 {
   const TemporaryFolder folder;
-  const std::string path = folder.file("stack.tif");
-  vtkNew<vtkTIFFStackWriter> writer;
-  writer->SetInputData(Volume());
-  writer->SetFileName(path.c_str());
-  ASSERT_EQ(writer->Write(), 1);
-  vtkNew<vtkTIFFStackReader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  for (int a = 0; a < 3; ++a)
-  {
-    EXPECT_NEAR(reader->GetOutput()->GetSpacing()[a], Volume()->GetSpacing()[a], 1e-9);
-  }
+  WrittenAndRead(folder.file("stack.tif"), "");
 }
 
 TEST(TIFFStackWriter, ValuesBecomeWholeNumbersOrAreRefused)

@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <iterator>
 
 namespace conformal
 {
@@ -65,19 +63,17 @@ void acquitSurfaces(
 }
 
 // Return the median of the positive numbers; 0 if there are none. Square distances are 0 at points
-// with many copies, which show no spacing.
+// with many copies, which show no spacing. The numbers are rearranged.
 template <typename Iterator>
 double medianOfPositive(Iterator begin, Iterator end)
 {
-  std::vector<double> positive;
-  std::copy_if(
-    begin, end, std::back_inserter(positive), [](double number) { return number > 0.0; });
-  if (positive.empty())
+  const Iterator last = std::partition(begin, end, [](double number) { return number > 0.0; });
+  if (last == begin)
   {
     return 0.0;
   }
-  const auto middle = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 2);
-  std::nth_element(positive.begin(), middle, positive.end());
+  const Iterator middle = begin + (last - begin) / 2;
+  std::nth_element(begin, middle, last);
   return *middle;
 }
 }
@@ -172,7 +168,8 @@ std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, 
         }
       }
     });
-  const double typical = medianOfPositive(squares.begin(), squares.end());
+  std::vector<double> sorted = squares;
+  const double typical = medianOfPositive(sorted.begin(), sorted.end());
   forBlocksReporting(steps.next(), size, BlockSize,
     [&](Index begin, Index end)
     {
