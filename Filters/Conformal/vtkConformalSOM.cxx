@@ -219,6 +219,10 @@ void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
   {
     glue::WarnOfGround(self, leftOut.Ground, leftOut.Ground + all);
   }
+  else if (self->GetRemoveGround() == vtkConformalSOM::REMOVE_GROUND)
+  {
+    glue::WarnOfMissingGround(self);
+  }
   if (leftOut.Layer > 0)
   {
     glue::WarnOfLayer(self, leftOut.Layer, all, side);

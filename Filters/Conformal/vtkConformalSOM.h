@@ -560,7 +560,8 @@ public:
    * KEEP_GROUND: never. REMOVE_GROUND: the largest plane of the points is left out.
    *
    * AUTOMATIC_GROUND requires at least 500 points. REMOVE_GROUND requires at least 50 points, and a
-   * plane with at least 5 % of them. Otherwise, no points are left out.
+   * plane with at least 5 % of them. Otherwise, no points are left out, and REMOVE_GROUND gives a
+   * warning.
    *
    * The object is the largest connected part above the plane. If points are left out, there is a
    * warning, and the field data "NumberOfGroundPoints" has their number.

@@ -45,6 +45,14 @@ void WarnOfGround(vtkObject* self, conformal::Index count, conformal::Index tota
 }
 
 //------------------------------------------------------------------------------
+void WarnOfMissingGround(vtkObject* self)
+{
+  vtkWarningWithObjectMacro(self,
+    << "no ground is found, and no points are left out. RemoveGround requires a plane with at "
+       "least 5 % of the points, and points above it");
+}
+
+//------------------------------------------------------------------------------
 void WarnOfLayer(
   vtkObject* self, conformal::Index count, conformal::Index total, conformal::Side side)
 {

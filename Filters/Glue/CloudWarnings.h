@@ -21,6 +21,8 @@ void WarnOfUnusedNormals(vtkObject* self);
 void WarnOfPointsApart(vtkObject* self, conformal::Index count, conformal::Index total);
 /// Warn that the ground under the object was left out.
 void WarnOfGround(vtkObject* self, conformal::Index count, conformal::Index total);
+/// Warn that a ground was to be left out, and none was found.
+void WarnOfMissingGround(vtkObject* self);
 /// Warn that the other layer of a shell was left out.
 void WarnOfLayer(
   vtkObject* self, conformal::Index count, conformal::Index total, conformal::Side side);

@@ -369,6 +369,17 @@ TEST(ConformalSOM, FewPointsGiveAWarning)
     << observed.WarningMessage();
 }
 
+TEST(ConformalSOM, SaysThatNoGroundIsFound)
+{
+  auto filter = MakeFilter(MakeCloud(49)); // One more is required.
+  filter->SetRemoveGroundToOn();
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_EQ(Figure(filter, "NumberOfGroundPoints"), 0.0);
+  EXPECT_NE(observed.WarningMessage().find("no ground is found"), std::string::npos)
+    << observed.WarningMessage();
+}
+
 TEST(ConformalSOM, SaysThatClosedScansHaveNoBorder)
 {
   auto filter = MakeFilter(MakeCloud(1000));

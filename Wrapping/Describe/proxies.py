@@ -9,6 +9,7 @@ OVERLAYS/Name.xml; a class without such needs has none:
         outputs="Mesh History"              names of the output ports
         mapped="Input Reference"            inputs that need the point array SpherePosition
         advanced="Tolerance Start"          properties and inputs that the panel shows on request
+        times="yes"                         if the output has time steps that ParaView plays
         extensions="glb"                    of a writer, if not those of the reader of the same name; "" for none
         file_type="Textured surfaces">      likewise
       <Property name="A B C"                one or more properties or inputs
@@ -49,7 +50,7 @@ GROUPS = {  # submenus of filters
 }
 DATA_TYPES = {"vtkPolyData": "polygonal data", "vtkImageData": "image data", "vtkPointSet": "a point set",
               "vtkTable": "a table"}
-OVERLAY_ATTRIBUTES = {"label", "outputs", "mapped", "advanced", "extensions", "file_type"}
+OVERLAY_ATTRIBUTES = {"label", "outputs", "mapped", "advanced", "times", "extensions", "file_type"}
 PROPERTY_ATTRIBUTES = {"name", "shown_if", "min", "max", "default", "arrays", "labels", "strings"}
 ELEMENT_TYPES = {"int": "0", "float": "1", "str": "2"}  # ParaView's numbers
 OWN_ELEMENTS = ("Property", "Move")
@@ -82,6 +83,7 @@ class Overlay:
             self.check_attributes(name)
         self.mapped = self.names(self.root.get("mapped"), self.inputs)
         self.advanced = self.names(self.root.get("advanced"), self.properties)
+        self.has_times = self.root.get("times", "no") == "yes"
         self.outputs = self.root.get("outputs", "").split()
         if self.outputs and len(self.outputs) != len(class_.outputs):
             raise self.error(f"it names {len(self.outputs)} outputs, and {class_.name} has {len(class_.outputs)}")
@@ -441,6 +443,10 @@ class Proxy:
                 hints.insert(0, ElementTree.Element("DefaultFileNameProperty", name="FileName"))
         proxy.extend(members)
         self.others(proxy)
+        if self.overlay.has_times:
+            times = add(proxy, "DoubleVectorProperty", name="TimestepValues", repeatable="1", information_only="1")
+            add(times, "TimeStepsInformationHelper")
+            add(times, "Documentation").text = "Available time steps."
         for index, name in enumerate(self.overlay.outputs):
             add(proxy, "OutputPort", index=index, name=name)
         self.hints(proxy, *hints)

@@ -191,6 +191,30 @@ double radiusOf(const Points& positions)
 {
   return 0.5 * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
 }
+
+//------------------------------------------------------------------------------
+// Split a line where its points are not finite. Pieces of one point are left out.
+std::vector<GraticuleLine> piecesOfLine(
+  const GraticuleLine& line, const std::vector<Vector3>& points)
+{
+  const auto isFinite = [](const Vector3& x) { return x.allFinite(); };
+  std::vector<GraticuleLine> pieces;
+  for (auto first = points.begin(), last = first; first != points.end(); first = last)
+  {
+    first = std::find_if(first, points.end(), isFinite);
+    last = std::find_if_not(first, points.end(), isFinite);
+    if (last - first < 2)
+    {
+      continue;
+    }
+    pieces.push_back({ line.IsMeridian, line.Degrees, Points(last - first, 3) });
+    for (auto i = first; i != last; ++i)
+    {
+      pieces.back().Positions.row(i - first) = *i;
+    }
+  }
+  return pieces;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -369,19 +393,7 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
           ? Vector3(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()))
           : mixed(body.Positions, triangles, { location.Triangle, location.Barycentric });
       };
-      std::vector<std::vector<Vector3>> found(1);
-      // A line ends at a hole of the map, and another one begins behind it.
-      const auto add = [&](const Vector3& x)
-      {
-        if (x.allFinite())
-        {
-          found.back().push_back(x);
-        }
-        else if (!found.back().empty())
-        {
-          found.emplace_back();
-        }
-      };
+      std::vector<Vector3> points; // not finite where the line is interrupted by a hole of the map
       const std::function<void(double, const Vector3&, double, const Vector3&, int)> fill =
         [&](double from, const Vector3& a, double to, const Vector3& b, int depth)
       {
@@ -394,12 +406,12 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
         }
         else
         {
-          add(b);
+          points.push_back(b);
         }
       };
       constexpr int parts = 90, maximumHalvings = 8;
       Vector3 before = at(first);
-      add(before);
+      points.push_back(before);
       for (int i = 1; i <= parts; ++i)
       {
         const double from = first + (last - first) * (i - 1) / parts,
@@ -408,20 +420,7 @@ std::vector<GraticuleLine> makeGraticule(const MappedMesh& body, double spacing,
         fill(from, before, to, here, maximumHalvings);
         before = here;
       }
-      for (const std::vector<Vector3>& points : found)
-      {
-        if (points.size() < 2)
-        {
-          continue;
-        }
-        GraticuleLine piece = line;
-        piece.Positions.resize(static_cast<Index>(points.size()), 3);
-        for (std::size_t i = 0; i < points.size(); ++i)
-        {
-          piece.Positions.row(static_cast<Index>(i)) = points[i];
-        }
-        pieces[begin].push_back(std::move(piece));
-      }
+      pieces[begin] = piecesOfLine(line, points);
     });
   std::vector<GraticuleLine> result;
   for (const std::vector<GraticuleLine>& ofLine : pieces)
