@@ -3,6 +3,7 @@
 #include "Search/BoxTree.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace conformal
 {
@@ -47,39 +48,45 @@ bool cross(const Corners& a, const Corners& b)
   return false;
 }
 
+/// Pairs that include a triangle of a tree.
 class Search
 {
 public:
-  Search(const Points& positions, const Triangles& triangles, const Run& run)
+  Search(const Points& positions, const Triangles& triangles, const std::vector<int>& inTree,
+    const Run& run)
     : Positions(positions)
     , Ids(triangles)
-    , Boxes(triangles.rows())
+    , InTree(inTree)
+    , IsInTree(triangles.rows(), 0)
   {
-    forBlocks(run, triangles.rows(), BlockSize,
+    std::vector<Box> boxes(inTree.size());
+    for (const int triangle : inTree)
+    {
+      this->IsInTree[triangle] = 1;
+    }
+    forBlocks(run, static_cast<Index>(inTree.size()), BlockSize,
       [&](Index begin, Index end)
       {
-        for (Index f = begin; f < end; ++f)
+        for (Index i = begin; i < end; ++i)
         {
-          for (int k = 0; k < 3; ++k)
-          {
-            this->Boxes[f].extend(Vector3(positions.row(triangles(f, k))));
-          }
+          boxes[i] = this->boxOf(inTree[i]);
         }
       });
-    this->Tree = buildBoxTree(this->Boxes, run.unwatched());
+    this->Tree = buildBoxTree(boxes, run.unwatched());
   }
 
-  /// Append the pairs of a triangle with triangles of larger ids.
+  /// Append the pairs of a triangle with triangles of the tree. A pair whose triangles are both in
+  /// the tree is appended for the triangle of smaller id.
   void find(int triangle, std::vector<std::array<int, 2>>& pairs, std::vector<int>& open) const
   {
+    const Box box = this->boxOf(triangle);
     open.assign(1, 0);
-    const std::size_t first = pairs.size();
     while (!open.empty())
     {
       const int at = open.back();
       open.pop_back();
       const BoxTree::Node& node = this->Tree.Nodes[at];
-      if (!overlap(node.Bounds, this->Boxes[triangle]))
+      if (!overlap(node.Bounds, box))
       {
         continue;
       }
@@ -91,15 +98,15 @@ public:
       }
       for (int i = node.First; i < node.First + node.Count; ++i)
       {
-        const int other = this->Tree.Items[i];
-        if (other > triangle && overlap(this->Boxes[other], this->Boxes[triangle]) &&
-          !this->touch(triangle, other) && cross(this->cornersOf(triangle), this->cornersOf(other)))
+        const int other = this->InTree[this->Tree.Items[i]];
+        const bool isCounted = other > triangle || !this->IsInTree[triangle];
+        if (isCounted && overlap(this->boxOf(other), box) && !this->touch(triangle, other) &&
+          cross(this->cornersOf(triangle), this->cornersOf(other)))
         {
-          pairs.push_back({ triangle, other });
+          pairs.push_back({ std::min(triangle, other), std::max(triangle, other) });
         }
       }
     }
-    std::sort(pairs.begin() + static_cast<std::ptrdiff_t>(first), pairs.end());
   }
 
 private:
@@ -118,6 +125,16 @@ private:
     return false;
   }
 
+  Box boxOf(int triangle) const
+  {
+    Box box;
+    for (int k = 0; k < 3; ++k)
+    {
+      box.extend(Vector3(this->Positions.row(this->Ids(triangle, k))));
+    }
+    return box;
+  }
+
   Corners cornersOf(int triangle) const
   {
     return { this->Positions.row(this->Ids(triangle, 0)),
@@ -126,20 +143,22 @@ private:
 
   const Points& Positions;
   const Triangles& Ids;
-  std::vector<Box> Boxes;
+  const std::vector<int>& InTree;
+  std::vector<char> IsInTree;
   BoxTree Tree;
 };
 }
 
-std::vector<std::array<int, 2>> selfIntersections(
-  const Points& positions, const Triangles& triangles, const Run& run)
+//------------------------------------------------------------------------------
+std::vector<std::array<int, 2>> selfIntersections(const Points& positions,
+  const Triangles& triangles, const std::vector<int>& chosen, const Run& run)
 {
   std::vector<std::array<int, 2>> all;
-  if (triangles.rows() == 0)
+  if (chosen.empty())
   {
     return all;
   }
-  const Search search(positions, triangles, run);
+  const Search search(positions, triangles, chosen, run);
   std::vector<std::vector<std::array<int, 2>>> blocks(
     (triangles.rows() + BlockSize - 1) / BlockSize);
   forBlocksReporting(run, triangles.rows(), BlockSize,
@@ -155,6 +174,16 @@ std::vector<std::array<int, 2>> selfIntersections(
   {
     all.insert(all.end(), block.begin(), block.end());
   }
+  std::sort(all.begin(), all.end());
   return all;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<int, 2>> selfIntersections(
+  const Points& positions, const Triangles& triangles, const Run& run)
+{
+  std::vector<int> all(triangles.rows());
+  std::iota(all.begin(), all.end(), 0);
+  return selfIntersections(positions, triangles, all, run);
 }
 }

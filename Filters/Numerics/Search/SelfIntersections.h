@@ -20,6 +20,11 @@ namespace conformal
 /// @throws Aborted
 std::vector<std::array<int, 2>> selfIntersections(
   const Points& positions, const Triangles& triangles, const Run& run = {});
+
+/// Find pairs of triangles that cross each other, and of which one or both are chosen.
+/// @param[in] chosen  ids of triangles, each at most once
+std::vector<std::array<int, 2>> selfIntersections(const Points& positions,
+  const Triangles& triangles, const std::vector<int>& chosen, const Run& run = {});
 }
 
 #endif

@@ -181,7 +181,8 @@ Vector2 newtonStep(const Derivatives& at)
 }
 
 //------------------------------------------------------------------------------
-std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring)
+std::optional<Vector3> kernelCentroid(
+  const std::vector<Vector3>& positions, const Ring& ring, double minimumHeight)
 {
   const Vector3& origin = positions[ring.front()];
   const Frame frame(origin);
@@ -208,8 +209,10 @@ std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, con
   const Vector3 place = frame.place(*middle);
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    if (!(determinant(place, positions[ring[i]], positions[ring[(i + 1) % ring.size()]]) >=
-          MinimumDeterminant))
+    const Vector3 &a = positions[ring[i]], &b = positions[ring[(i + 1) % ring.size()]];
+    const double longest = std::sqrt(
+      std::max({ (a - place).squaredNorm(), (b - place).squaredNorm(), (b - a).squaredNorm() }));
+    if (!(determinant(place, a, b) >= std::min(MinimumDeterminant, minimumHeight * longest)))
     {
       return {};
     }

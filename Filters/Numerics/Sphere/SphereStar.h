@@ -8,6 +8,7 @@
 #include "Mesh/VertexRings.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,11 @@ namespace conformal
 /// about twice the area. Triangles with a larger determinant keep their orientation, even if other
 /// programs round the unit vectors.
 constexpr double MinimumDeterminant = 1e-13;
+
+/// Height of a triangle on the sphere over its longest side above which it keeps its orientation,
+/// of any size. Rounding moves unit vectors by a thousandth of this height. The ends of long bodies
+/// have triangles with much smaller determinants, but safe heights.
+constexpr double MinimumSafeHeight = 1e-13;
 
 /// Energy of a map of a surface to the sphere, with terms for angles and for areas. The energy is
 /// the sum, over all triangles, of
@@ -67,9 +73,12 @@ struct Corner
 /// its center to a plane.
 /// @param[in] ring  ids of the neighbors in `positions`. The first neighbor must form
 ///   counter-clockwise triangles with all sides of the ring that do not contain this neighbor.
+/// @param[in] minimumHeight  height of a triangle over its longest side above which its determinant
+///   may be smaller; by default, none may
 /// @return unit vector, or no value if every position leaves a triangle with a determinant below
 ///   MinimumDeterminant
-std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring);
+std::optional<Vector3> kernelCentroid(const std::vector<Vector3>& positions, const Ring& ring,
+  double minimumHeight = std::numeric_limits<double>::infinity());
 
 /// Move a vertex to a position of lower energy, by one step of Newton's method in the tangent plane
 /// of the sphere. The step is shortened until the energy of the vertex's triangles decreases and no

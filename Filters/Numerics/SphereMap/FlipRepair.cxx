@@ -26,6 +26,12 @@ constexpr std::size_t MaximumInserted = 300; // the cost grows with the square
 constexpr int EvenSweeps = 2, RelaxationsOfInserted = 20;
 constexpr double WeakestString = 0.05, StrongestString = 20.0; // 0.58 between equilateral triangles
 
+bool isBad(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const double longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
+  return !(determinant(a, b, c) >= std::min(MinimumSafeDeterminant, MinimumSafeHeight * longest));
+}
+
 class Repair
 {
 public:
@@ -210,8 +216,8 @@ private:
     const Ring& ring = this->Rings[v];
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
-      if (!(determinant(this->Positions[v], this->Positions[ring[i]],
-              this->Positions[ring[(i + 1) % ring.size()]]) >= MinimumSafeDeterminant))
+      if (isBad(this->Positions[v], this->Positions[ring[i]],
+            this->Positions[ring[(i + 1) % ring.size()]]))
       {
         return false;
       }
@@ -232,7 +238,8 @@ private:
       {
         if (!this->good(v))
         {
-          if (const std::optional<Vector3> place = kernelCentroid(this->Positions, this->Rings[v]))
+          if (const std::optional<Vector3> place =
+                kernelCentroid(this->Positions, this->Rings[v], MinimumSafeHeight))
           {
             this->Positions[v] = *place;
           }
@@ -347,11 +354,7 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
   std::vector<int> bad;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
-    const Vector3 &a = positions[triangles(r, 0)], &b = positions[triangles(r, 1)],
-                  &c = positions[triangles(r, 2)];
-    const double twiceArea = determinant(a, b, c);
-    const double longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
-    if (!(twiceArea >= std::min(MinimumSafeDeterminant, MinimumSafeHeight * longest)))
+    if (isBad(positions[triangles(r, 0)], positions[triangles(r, 1)], positions[triangles(r, 2)]))
     {
       bad.push_back(static_cast<int>(r));
     }

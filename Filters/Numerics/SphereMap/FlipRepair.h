@@ -18,11 +18,6 @@ namespace conformal
 /// another program rounds the unit vectors to 16 digits, a bad triangle can become flipped.
 constexpr double MinimumSafeDeterminant = 1e-14;
 
-/// Height of a triangle over its longest side above which it is not bad, of any size. Rounding moves
-/// unit vectors by a thousandth of this height. The ends of long bodies have triangles with much
-/// smaller determinants, but safe heights.
-constexpr double MinimumSafeHeight = 1e-13;
-
 /// Parameters of SphereEnergy for an energy that depends on angles only, not on areas.
 constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 

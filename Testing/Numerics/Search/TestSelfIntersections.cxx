@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 using conformal::Index;
 using conformal::Points;
 using conformal::selfIntersections;
@@ -63,6 +66,30 @@ TEST(SelfIntersections, APinThroughTheOtherSideIsFound)
   const auto pairs = selfIntersections(mesh.Positions, mesh.Triangles);
   EXPECT_GE(pairs.size(), 5u);
   EXPECT_EQ(pairs, selfIntersections(mesh.Positions, mesh.Triangles, runs::backwards()));
+}
+
+// Of the pairs of all triangles, those that include a chosen one are found.
+TEST(SelfIntersections, PairsOfChosenTrianglesAreFound)
+{
+  conformal::Mesh mesh = conformal::makeGeodesicSphere(12);
+  mesh.Positions.col(2) *= 0.01;
+  mesh.Positions.col(2).array() += 0.1 * (7.0 * mesh.Positions.col(0).array()).sin();
+  Index right = 0;
+  mesh.Positions.col(0).maxCoeff(&right);
+  mesh.Positions.row(right) << -1.2, 0.02, 0.0;
+  const auto all = selfIntersections(mesh.Positions, mesh.Triangles);
+  std::vector<int> chosen;
+  for (int f = 0; f < mesh.Triangles.rows(); f += 3)
+  {
+    chosen.push_back(f);
+  }
+  std::vector<std::array<int, 2>> expected;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+    [](const std::array<int, 2>& pair) { return pair[0] % 3 == 0 || pair[1] % 3 == 0; });
+  ASSERT_GT(expected.size(), 5u);
+  ASSERT_LT(expected.size(), all.size());
+  EXPECT_EQ(selfIntersections(mesh.Positions, mesh.Triangles, chosen), expected);
+  EXPECT_TRUE(selfIntersections(mesh.Positions, mesh.Triangles, std::vector<int>()).empty());
 }
 
 TEST(SelfIntersections, NoTrianglesNoPairs)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 using conformal::Index;
@@ -69,6 +70,32 @@ TEST_F(FlipRepair, PutsOneVertexBack)
   EXPECT_TRUE(this->repair());
   EXPECT_EQ(this->bad(), 0u);
   EXPECT_LT(this->maximumDistance(), 0.01); // nearly to where it was: relaxed
+}
+
+// The smaller a triangle is on the sphere, the smaller is its determinant, without being flipped.
+TEST_F(FlipRepair, PutsAVertexBackAmongTinyTriangles)
+{
+  Index pole = 0;
+  this->Sphere.Positions.col(2).maxCoeff(&pole);
+  for (Vector3& place : this->Positions)
+  {
+    const double radius = std::hypot(place[0], place[1]) / (1.0 + place[2]);
+    if (radius > 0.0 && radius < 1.0)
+    {
+      constexpr double power = 6.0;
+      const double square = std::pow(radius, 2.0 * power);
+      const double factor = 2.0 * std::pow(radius, power) / (1.0 + square);
+      place = { factor * place[0] / std::hypot(place[0], place[1]),
+        factor * place[1] / std::hypot(place[0], place[1]), (1.0 - square) / (1.0 + square) };
+    }
+  }
+  ASSERT_EQ(this->bad(), 0u);
+  const Vector3 far = this->Positions[this->Rings[pole][0]] - this->Positions[pole];
+  ASSERT_LT(far.norm(), 1e-7);
+  this->Positions[pole] = (this->Positions[pole] + 1.5 * far).normalized();
+  ASSERT_GT(this->bad(), 0u);
+  EXPECT_TRUE(this->repair());
+  EXPECT_EQ(this->bad(), 0u);
 }
 
 // Turned upside down, vertices one by one find no kernel.

@@ -35,6 +35,26 @@ std::vector<int> verticesAround(
   return vertices;
 }
 
+/// Triangles with one of the vertices, in ascending order.
+std::vector<int> trianglesAround(
+  const std::vector<int>& vertices, const Triangles& triangles, Index numberOfVertices)
+{
+  std::vector<char> isChosen(numberOfVertices, 0);
+  for (const int v : vertices)
+  {
+    isChosen[v] = 1;
+  }
+  std::vector<int> chosen;
+  for (Index f = 0; f < triangles.rows(); ++f)
+  {
+    if (isChosen[triangles(f, 0)] || isChosen[triangles(f, 1)] || isChosen[triangles(f, 2)])
+    {
+      chosen.push_back(static_cast<int>(f));
+    }
+  }
+  return chosen;
+}
+
 void smooth(Points& positions, const std::vector<int>& vertices, const Adjacency& neighbors)
 {
   const Points old = positions;
@@ -63,8 +83,11 @@ Index untangle(Points& positions, const Triangles& triangles, const Run& run)
   std::size_t fewest = pairs.size();
   for (int round = 0; round < rounds && !pairs.empty(); ++round)
   {
-    smooth(positions, verticesAround(pairs, triangles, neighbors), neighbors);
-    pairs = selfIntersections(positions, triangles, run.unwatched());
+    const std::vector<int> moved = verticesAround(pairs, triangles, neighbors);
+    smooth(positions, moved, neighbors);
+    // Other triangles neither crossed before nor have moved.
+    pairs = selfIntersections(
+      positions, triangles, trianglesAround(moved, triangles, positions.rows()), run.unwatched());
     if (pairs.size() < fewest)
     {
       fewest = pairs.size();
