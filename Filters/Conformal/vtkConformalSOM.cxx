@@ -296,8 +296,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
 // Warn if the map of a solid object is not conformal.
 void WarnOfMap(vtkConformalSOM* self, const conformal::ConformalSOMResult& result)
 {
-  // Meshes of clean scans have a mean of 1.2 or less, and a maximum of 70 or less.
-  constexpr double tolerated = 1.3, toleratedMaximum = 100.0;
+  using Tolerated = conformal::ToleratedMap;
   if (!result.HasConformalMap)
   {
     return;
@@ -311,7 +310,7 @@ void WarnOfMap(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
                "quasi-conformal error is "
             << error << ", where 1 is conformal");
   }
-  else if (error > tolerated || maximum > toleratedMaximum)
+  else if (error > Tolerated::MeanError || maximum > Tolerated::MaximumError)
   {
     vtkWarningWithObjectMacro(
       self, << "the map to the sphere is not conformal everywhere: its mean "

@@ -5,11 +5,14 @@
 #include "Learn/Batch/BatchTraining.h"
 #include "Learn/FirstSurface.h"
 #include "Learn/Fit/AdaptiveFit.h"
+#include "Learn/Fit/Slivers.h"
 #include "Learn/Fit/SmoothFilling.h"
 #include "Learn/Fit/SurfaceQuality.h"
 #include "Learn/Fit/VertexSupport.h"
+#include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Search/TriangleTree.h"
+#include "SphereMap/GlobalConformalMap.h"
 
 #include <algorithm>
 #include <memory>
@@ -54,6 +57,10 @@ constexpr double ToleratedWebs = 0.001; // maximum fraction of the area on webs
 // score of 1. If both surfaces fill a hole of the data, their unsupported areas differ by less.
 constexpr double ToleratedExcess = 0.005;
 
+// With fewer samples for each neuron than this number, a hull may be cracked across thin parts,
+// which are then joined by a thread. The samples do not show it, but the map to the sphere does.
+constexpr Index EnoughSamples = 2;
+
 /// Fractions of the progress of one start, measured on scans: first surface, fit, quality.
 constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.7, ShareOfFilling = 0.02, ShareOfQuality = 0.08;
 
@@ -94,6 +101,31 @@ double scoreBeside(const ConformalSOMResult& result, const ConformalSOMResult& o
   return defectScore(result.Quality) + excess / ToleratedExcess;
 }
 
+/// Map a surface to the sphere. Return the largest ratio of an error of the map to its tolerance;
+/// it is above 1 if the map is not conformal. The ratio is limited, so that no surface with many
+/// other defects is preferred for its map.
+double mapDefect(const Mesh& surface, const Run& run)
+{
+  constexpr double largest = 2.0;
+  LearnedMesh mesh;
+  static_cast<Mesh&>(mesh) = surface;
+  removeSlivers(mesh, run);
+  try
+  {
+    const GlobalConformalMapResult map = globalConformalMap(mesh, {}, run);
+    const Distortion distortion =
+      measureDistortion(mesh.Positions, mesh.Triangles, map.Positions, run);
+    const double mean = distortion.AreaMeanQuasiConformalError / ToleratedMap::MeanError,
+                 maximum = distortion.MaximumQuasiConformalError / ToleratedMap::MaximumError;
+    const bool isFound = map.Tier != GlobalConformalTier::Progressive;
+    return std::min(largest, isFound ? std::max(mean, maximum) : 1.0 + mean);
+  }
+  catch (const NumericalFailure&)
+  {
+    return largest;
+  }
+}
+
 class StartSearch
 {
 public:
@@ -128,7 +160,7 @@ public:
       if (result)
       {
         ++tried;
-        this->keepBetter(*std::move(result));
+        this->keepBetter(*std::move(result), run.unwatched());
       }
     }
     this->Best->NumberOfStarts = tried;
@@ -167,7 +199,8 @@ private:
         return this->mayImprove() && (shape != StartingShape::Sphere || !this->IsSolid);
       case Start::OtherHull:
         return this->LastHull != HullMethod::Automatic &&
-          this->Options.HullMethod == HullMethod::Automatic && this->IsSolid && this->isBad();
+          this->Options.HullMethod == HullMethod::Automatic && this->IsSolid &&
+          (this->isBad() || this->BestMapDefect > 1.0);
     }
     return false;
   }
@@ -195,11 +228,22 @@ private:
              this->Samples.totalSize())) > 1.0;
   }
 
-  void keepBetter(ConformalSOMResult result)
+  /// Return whether the maps of results are compared, too.
+  bool comparesMaps() const
   {
+    return this->Options.HullMethod == HullMethod::Automatic && this->IsSolid &&
+      this->Options.Genus == HullGenus::Zero &&
+      this->Samples.totalSize() < EnoughSamples * this->Options.NumberOfNeurons;
+  }
+
+  void keepBetter(ConformalSOMResult result, const Run& run)
+  {
+    const double defect = this->comparesMaps() && result.FromHull ? mapDefect(result, run) : 0.0;
     if (!this->Best || this->hasWebs() ||
-      scoreBeside(result, *this->Best) < scoreBeside(*this->Best, result))
+      std::max(defect, scoreBeside(result, *this->Best)) <
+        std::max(this->BestMapDefect, scoreBeside(*this->Best, result)))
     {
+      this->BestMapDefect = defect;
       this->Best = std::move(result);
       this->BestStart = { this->StartNumber, this->StartName };
     }
@@ -370,7 +414,8 @@ private:
   const MappedMesh* const Mesh;
   const bool IsGeodesic, IsSolid;
   std::optional<ConformalSOMResult> Best;
-  int StartNumber = 0; ///< number of the current start, counted from 1
+  double BestMapDefect = 0.0; ///< of Best; 0 if maps are not compared
+  int StartNumber = 0;        ///< number of the current start, counted from 1
   std::string StartName;
   std::pair<int, std::string> BestStart;       ///< number and name of the start that led to Best
   HullMethod LastHull = HullMethod::Automatic; ///< method of the last hull tried

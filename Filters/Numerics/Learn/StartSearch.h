@@ -38,13 +38,16 @@ MeshType meshTypeFor(const ConformalSOMOptions& options, const TrainingSamples& 
 /// - Hull (closed surface around the samples): only for StartingShape Automatic or Hull. If an
 ///   adaptive mesh is learned from samples of affine rank below 3, the hull replaces the sphere.
 ///   The affine rank is 2 for samples in a plane, and 1 for samples on a line.
-/// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad.
-///   This hull is made by the method that was not used for the first hull.
+/// - Other hull: only if a hull was tried, HullMethod is Automatic, and the best result is bad. If
+///   there are fewer than two samples for each neuron, also if its map to the sphere is not
+///   conformal. This hull is made by the method that was not used for the first hull.
 ///
 /// Of two results, the better one has the lower defectScore(). For each half percent of unsupported
 /// area (see FittedMesh), or of area on cuts, that it has beyond the other one, 1 is added to its
-/// score. However, a result with webs is replaced by the next result, whatever the scores. If the
-/// affine rank is below 3, results cannot be evaluated, and the first one is returned.
+/// score. If there are fewer than two samples for each neuron, errors of maps to the sphere
+/// (ToleratedMap) are compared in the same way. However, a result with webs is replaced by the next
+/// result, whatever the scores. If the affine rank is below 3, results cannot be evaluated, and the
+/// first one is returned.
 ///
 /// If HullMethod is Automatic, the method is selected by chooseHull() of GenusZeroHull.h.
 ///

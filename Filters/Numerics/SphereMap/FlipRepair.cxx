@@ -26,22 +26,23 @@ constexpr std::size_t MaximumInserted = 300; // the cost grows with the square
 constexpr int EvenSweeps = 2, RelaxationsOfInserted = 20;
 constexpr double WeakestString = 0.05, StrongestString = 20.0; // 0.58 between equilateral triangles
 
-bool isBad(const Vector3& a, const Vector3& b, const Vector3& c)
+bool isBad(const Vector3& a, const Vector3& b, const Vector3& c, double minimumHeight)
 {
   const double longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
-  return !(determinant(a, b, c) >= std::min(MinimumSafeDeterminant, MinimumSafeHeight * longest));
+  return !(determinant(a, b, c) >= std::min(MinimumSafeDeterminant, minimumHeight * longest));
 }
 
 class Repair
 {
 public:
   Repair(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
-    const EdgeWeights& strings, const VertexRings& rings)
+    const EdgeWeights& strings, const VertexRings& rings, double minimumHeight)
     : Positions(positions)
     , Places(points)
     , Triangles(triangles)
     , Strings(strings)
     , Rings(rings)
+    , MinimumHeight(minimumHeight)
     , Marks(positions.size(), 0)
   {
   }
@@ -217,7 +218,7 @@ private:
     for (std::size_t i = 0; i < ring.size(); ++i)
     {
       if (isBad(this->Positions[v], this->Positions[ring[i]],
-            this->Positions[ring[(i + 1) % ring.size()]]))
+            this->Positions[ring[(i + 1) % ring.size()]], this->MinimumHeight))
       {
         return false;
       }
@@ -239,7 +240,7 @@ private:
         if (!this->good(v))
         {
           if (const std::optional<Vector3> place =
-                kernelCentroid(this->Positions, this->Rings[v], MinimumSafeHeight))
+                kernelCentroid(this->Positions, this->Rings[v], this->MinimumHeight))
           {
             this->Positions[v] = *place;
           }
@@ -343,6 +344,7 @@ private:
   const conformal::Triangles& Triangles;
   const EdgeWeights& Strings;
   const VertexRings& Rings;
+  const double MinimumHeight;
   std::vector<int> Marks;
   int Mark = 0;
 };
@@ -354,7 +356,8 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
   std::vector<int> bad;
   for (Index r = 0; r < triangles.rows(); ++r)
   {
-    if (isBad(positions[triangles(r, 0)], positions[triangles(r, 1)], positions[triangles(r, 2)]))
+    if (isBad(positions[triangles(r, 0)], positions[triangles(r, 1)], positions[triangles(r, 2)],
+          MinimumSafeHeight))
     {
       bad.push_back(static_cast<int>(r));
     }
@@ -365,9 +368,9 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 //------------------------------------------------------------------------------
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,
-  const Run& run)
+  double minimumHeight, const Run& run)
 {
-  Repair repair(positions, points, triangles, strings, rings);
+  Repair repair(positions, points, triangles, strings, rings, minimumHeight);
   for (int round = 0; round < Rounds; ++round)
   {
     const std::vector<int> bad = badTriangles(positions, triangles);

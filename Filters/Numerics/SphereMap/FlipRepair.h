@@ -10,6 +10,7 @@
 #include "Mesh/VertexRings.h"
 #include "SphereMap/BoundedTriangles.h"
 
+#include <limits>
 #include <vector>
 
 namespace conformal
@@ -45,12 +46,16 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 ///
 /// @param[in] strings        weights of the springs: result of cotangentWeights() for the surface.
 ///   To compute the equilibrium, weights are clamped to [0.05, 20].
+/// @param[in] minimumHeight  height of a triangle over its longest side above which a triangle of a
+///   repaired neighborhood may have a determinant below MinimumSafeDeterminant; by default none may.
+///   With MinimumSafeHeight, also small parts of the map are repaired, which may be far from
+///   conformal afterward.
 /// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad do not
 ///   become bad.
 /// @return whether no bad triangles remain
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,
-  const Run& run = {});
+  double minimumHeight = std::numeric_limits<double>::infinity(), const Run& run = {});
 }
 
 #endif

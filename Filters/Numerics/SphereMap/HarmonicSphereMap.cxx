@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -25,6 +26,8 @@ constexpr int SweepsOfMisshapen = 20;
 constexpr int RingsAround = 4; // number of rings around misshapen triangles that are also moved
 // Dirichlet energy divided by area, above which a triangle is misshapen; 1 if conformal
 constexpr double Misshapen = 1.5;
+// Mean of this ratio up to which a map that was repaired where it is small is conformal
+constexpr double MaximumMeanDistortion = 1.1;
 // Maximum fraction of bad triangles for which a repair is tried
 constexpr double MaximumBadShare = 0.06;
 // Minimum area ratio around a puncture; a lower ratio means that the puncture is on a limb
@@ -235,8 +238,7 @@ private:
     if (bad > 0.0)
     {
       map.Repaired = true;
-      if (!repairFlips(positions, this->Places, this->Triangles, this->Strings, this->Rings,
-            this->Angles, run.part(0.0, 0.8)))
+      if (!this->repair(positions, run.part(0.0, 0.8)))
       {
         return false;
       }
@@ -258,6 +260,49 @@ private:
     return true;
   }
 
+  // Remove folds. Where the map is too small for the usual repair, another one is accepted if the
+  // whole map stays conformal.
+  bool repair(std::vector<Vector3>& positions, const Run& run) const
+  {
+    const std::vector<Vector3> before = positions;
+    const auto repaired = [&](double minimumHeight, const Run& own)
+    {
+      return repairFlips(positions, this->Places, this->Triangles, this->Strings, this->Rings,
+        this->Angles, minimumHeight, own);
+    };
+    if (repaired(std::numeric_limits<double>::infinity(), run.part(0.0, 0.5)))
+    {
+      return true;
+    }
+    positions = before;
+    return repaired(MinimumSafeHeight, run.part(0.5, 1.0)) &&
+      this->meanDistortion(positions) < MaximumMeanDistortion;
+  }
+
+  // Dirichlet energy divided by area, of a triangle of the map.
+  double distortion(const std::vector<Vector3>& positions, Index r) const
+  {
+    const auto ids = this->Triangles.row(r);
+    const Vector3 &a = positions[ids[0]], &b = positions[ids[1]], &c = positions[ids[2]];
+    const auto& cotangents = this->shapeOf(r).Cotangents;
+    const double dirichlet = cotangents[0] * (c - b).squaredNorm() +
+      cotangents[1] * (a - c).squaredNorm() + cotangents[2] * (b - a).squaredNorm();
+    return 2.0 * dirichlet / determinant(a, b, c);
+  }
+
+  // Mean over the surface, not over the map, where limbs are small.
+  double meanDistortion(const std::vector<Vector3>& positions) const
+  {
+    double sum = 0.0, area = 0.0;
+    for (Index r = 0; r < this->Triangles.rows(); ++r)
+    {
+      const double own = this->shapeOf(r).Area;
+      sum += own * this->distortion(positions, r);
+      area += own;
+    }
+    return sum / area;
+  }
+
   std::vector<int> allVertices() const
   {
     std::vector<int> ids(this->Places.rows());
@@ -270,14 +315,12 @@ private:
     std::vector<char> chosen(positions.size(), 0);
     for (Index r = 0; r < this->Triangles.rows(); ++r)
     {
-      const auto ids = this->Triangles.row(r);
-      const Vector3 &a = positions[ids[0]], &b = positions[ids[1]], &c = positions[ids[2]];
-      const auto& cotangents = this->shapeOf(r).Cotangents;
-      const double dirichlet = cotangents[0] * (c - b).squaredNorm() +
-        cotangents[1] * (a - c).squaredNorm() + cotangents[2] * (b - a).squaredNorm();
-      if (dirichlet > Misshapen * 0.5 * determinant(a, b, c))
+      if (this->distortion(positions, r) > Misshapen)
       {
-        chosen[ids[0]] = chosen[ids[1]] = chosen[ids[2]] = 1;
+        for (const int v : this->Triangles.row(r))
+        {
+          chosen[v] = 1;
+        }
       }
     }
     std::vector<int> ids;

@@ -13,6 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 using conformal::ConformalSOMOptions;
 using conformal::ConformalSOMResult;
@@ -164,6 +167,53 @@ TEST(StartSearch, LearnsFromTheSphereWhereThereAreNoLimbs)
   EXPECT_NO_THROW(learn(egg.Positions, StartingShape::Automatic));
   EXPECT_THROW(learn(needle, StartingShape::Automatic), conformal::NumericalFailure);
   EXPECT_NO_THROW(learn(needle, StartingShape::Sphere));
+}
+
+// A ball with a thin ear: between few points, the hull by distance is cracked across the ear. Its
+// defects are tolerated, but its map to the sphere is not conformal.
+TEST(StartSearch, TriesTheOtherHullWhereTheMapIsNotConformal)
+{
+  const Vector3 middle(0.0, 0.0, 0.7), axes(0.035, 0.2, 0.4);
+  constexpr double ball = 0.5, largest = 60.0; // above all inverse axes
+  conformal::Random random(1);
+  conformal::Points points(5000, 3);
+  for (Index i = 0; i < points.rows();)
+  {
+    const double z = 2.0 * random.uniform() - 1.0, around = 2.0 * Pi * random.uniform();
+    const double r = std::sqrt(1.0 - z * z);
+    const Vector3 n(r * std::cos(around), r * std::sin(around), z);
+    const bool onEar = random.uniform() < 0.15; // of the area
+    if (onEar && largest * random.uniform() > n.cwiseQuotient(axes).norm())
+    {
+      continue;
+    }
+    const Vector3 x = onEar ? Vector3(middle + n.cwiseProduct(axes)) : Vector3(ball * n);
+    if (onEar ? x.norm() > ball : (x - middle).cwiseQuotient(axes).norm() > 1.0)
+    {
+      points.row(i++) = x;
+    }
+  }
+  const TrainingSamples samples{ conformal::PointView(points) };
+  ConformalSOMOptions options = adaptive(5000);
+  options.StartingShape = StartingShape::Hull;
+  std::vector<std::pair<std::string, double>> scores; // of all starts
+  options.Observer = [&](const conformal::LearningStage& stage)
+  {
+    if (scores.empty() || scores.back().first != stage.Start)
+    {
+      scores.emplace_back(stage.Start, 0.0);
+    }
+    scores.back().second = stage.DefectScore;
+  };
+  const ConformalSOMResult result = trainConformalSOM(samples, options);
+  ASSERT_EQ(scores.size(), 3U); // The best start is reported once more.
+  EXPECT_EQ(scores[0].first, "hull");
+  EXPECT_LT(scores[0].second, 1.0);
+  EXPECT_EQ(scores[1].first, "other hull");
+  // A map is not more important than other defects.
+  EXPECT_GT(scores[1].second, 2.0);
+  EXPECT_EQ(scores[2].first, "hull");
+  EXPECT_EQ(result.NumberOfStarts, 2);
 }
 
 // A limb that bends back to its body closes a handle of the hull, not of the object.

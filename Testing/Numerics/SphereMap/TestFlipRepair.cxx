@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using conformal::Index;
@@ -31,10 +32,10 @@ protected:
   {
     return conformal::badTriangles(this->Positions, this->Sphere.Triangles).size();
   }
-  bool repair()
+  bool repair(double minimumHeight = std::numeric_limits<double>::infinity())
   {
     return conformal::repairFlips(this->Positions, this->Sphere.Positions, this->Sphere.Triangles,
-      this->Strings, this->Rings, this->Shapes);
+      this->Strings, this->Rings, this->Shapes, minimumHeight);
   }
   double maximumDistance() const
   {
@@ -94,7 +95,7 @@ TEST_F(FlipRepair, PutsAVertexBackAmongTinyTriangles)
   ASSERT_LT(far.norm(), 1e-7);
   this->Positions[pole] = (this->Positions[pole] + 1.5 * far).normalized();
   ASSERT_GT(this->bad(), 0u);
-  EXPECT_TRUE(this->repair());
+  EXPECT_TRUE(this->repair(conformal::MinimumSafeHeight));
   EXPECT_EQ(this->bad(), 0u);
 }
 
