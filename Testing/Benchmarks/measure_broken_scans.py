@@ -3,6 +3,7 @@
 
     PYTHONPATH=build/dev/python:Examples/Python /usr/bin/python3 Testing/Benchmarks/measure_broken_scans.py FILES
     ... measure_broken_scans.py --bodies 2 --seed 1 --only subset base FILES
+    ... measure_broken_scans.py --bodies 0 --points 6000,12000 FILES
 
 Objects are closed models, and --bodies busts and horses made by code. A bust has a flat base. A horse has long thin
 legs. The largest radius of an object is 1. Scans have 40,000 random points without normals, unless stated otherwise:
@@ -15,6 +16,8 @@ legs. The largest radius of an object is 1. Scans have 40,000 random points with
   5 views      the points seen from five directions
   lines        scan lines that are 20 times as far apart as their points
   few          3,000 points
+
+With --points, there are clean scans of these numbers of points instead.
 
 web is the percentage of the surface farther than 0.02 from the object, miss that of the object farther than 0.02 from
 the surface, and inverted that of the surface that faces the wrong way; all without what is within 0.03 of missing
@@ -128,6 +131,12 @@ def scans(model):
     yield "few", points[:3000], None
 
 
+def sparse_scans(model, counts):
+    """Clean scans of some numbers of points."""
+    for count in counts:
+        yield f"{count:,} points", model.sampled(count, np.random.RandomState(count + 7))[0], None
+
+
 def learned(points):
     """The surface, the names of the warnings, and the CPU seconds."""
     network, texts = vtkConformalSOM(), []
@@ -160,6 +169,8 @@ def main():
     parser.add_argument("--bodies", type=int, default=2, help="busts and horses made by code, default 2 each")
     parser.add_argument("--seed", type=int, default=1, help="of the bodies, default 1")
     parser.add_argument("--only", nargs="+", default=[""], metavar="SCAN", help="scans whose names begin so")
+    parser.add_argument("--points", metavar="N,...", type=lambda text: [int(number) for number in text.split(",")],
+                        help="only clean scans of so many points")
     args = parser.parse_args()
     objects = list(scan_files.read_models(args.files).items()) + list(made_bodies(args.bodies, args.seed))
     counts = dict.fromkeys(("right", "warned", "wrong and silent", "false alarms"), 0)
@@ -167,7 +178,7 @@ def main():
     for name, data in objects:
         model = Surface(data, scaled=True)
         model.up = np.eye(3)[2 if name.startswith(("bust", "horse")) else 1]
-        for scan, points, known in scans(model):
+        for scan, points, known in sparse_scans(model, args.points) if args.points else scans(model):
             if scan.startswith(tuple(args.only)):
                 mesh, warnings, seconds = learned(points)
                 web, miss, inverted, largest = measured(model, mesh, known)
