@@ -63,6 +63,7 @@ constexpr Index EnoughSamples = 2;
 
 /// Fractions of the progress of one start, measured on scans: first surface, fit, quality.
 constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.7, ShareOfFilling = 0.02, ShareOfQuality = 0.08;
+constexpr double ShareOfMap = 0.05; // of the progress of a start, if maps are compared
 
 /// Convert points from one normalized frame to another.
 Points moved(Points points, const TrainingSamples& from, const TrainingSamples& to)
@@ -109,12 +110,12 @@ double mapDefect(const Mesh& surface, const Run& run)
   constexpr double largest = 2.0;
   LearnedMesh mesh;
   static_cast<Mesh&>(mesh) = surface;
-  removeSlivers(mesh, run);
+  removeSlivers(mesh, run.unwatched());
   try
   {
     const GlobalConformalMapResult map = globalConformalMap(mesh, {}, run);
     const Distortion distortion =
-      measureDistortion(mesh.Positions, mesh.Triangles, map.Positions, run);
+      measureDistortion(mesh.Positions, mesh.Triangles, map.Positions, run.unwatched());
     const double mean = distortion.AreaMeanQuasiConformalError / ToleratedMap::MeanError,
                  maximum = distortion.MaximumQuasiConformalError / ToleratedMap::MaximumError;
     const bool isFound = map.Tier != GlobalConformalTier::Progressive;
@@ -155,12 +156,13 @@ public:
       const double end = done + share * (1.0 - done);
       ++this->StartNumber;
       this->StartName = nameOf(start);
-      std::optional<ConformalSOMResult> result = this->learnFrom(start, run.part(done, end));
+      const double learned = end - (this->comparesMaps() ? ShareOfMap * (end - done) : 0.0);
+      std::optional<ConformalSOMResult> result = this->learnFrom(start, run.part(done, learned));
       done += (result ? 1.0 : ShareOfFirst) * (end - done);
       if (result)
       {
         ++tried;
-        this->keepBetter(*std::move(result), run.unwatched());
+        this->keepBetter(*std::move(result), run.part(learned, end));
       }
     }
     this->Best->NumberOfStarts = tried;
