@@ -482,9 +482,11 @@ public:
    * to the points. WINDING_NUMBERS: by winding numbers (about 1 inside, 0 outside), for scans with
    * large holes, hidden sides or noise. AUTOMATIC_METHOD (default): by the distance, or by winding
    * numbers if the result by distance seems wrong. If the adaptive mesh is bad, it is also learned
-   * from the hull by the other method, and the better mesh is kept. With fewer than two points for
-   * each neuron, this is also done if the map to the sphere is not conformal: between sparse points,
-   * a hull can be cracked across thin parts, which are then joined by a thread.
+   * from the hull by the other method, and the better mesh is kept.
+   *
+   * With fewer than two points for each neuron, AUTOMATIC_METHOD also learns from the other hull if
+   * the map to the sphere is not conformal: between sparse points, a hull can be cracked across thin
+   * parts, which are then joined by a thread.
    *
    * The methods are those of the property Method of vtkGenusZeroHull. If most points of the input
    * belong to a polygon, winding numbers use the normals of the polygons, consistently oriented.
