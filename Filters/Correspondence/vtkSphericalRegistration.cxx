@@ -132,6 +132,7 @@ std::vector<std::pair<int, int>> LandmarksOf(const RegisteredPair& surfaces,
   std::vector<std::pair<int, int>> pairs;
   const std::vector<int> vertices = surfaces.From.vertices(),
                          fixedVertices = surfaces.To.vertices();
+  pairs.reserve(ids.size() + positions.size());
   for (const auto& [id, fixedId] : ids)
   {
     pairs.emplace_back(VertexAt(vertices, id, "moving"), VertexAt(fixedVertices, fixedId, "fixed"));

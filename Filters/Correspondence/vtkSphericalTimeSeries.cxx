@@ -84,11 +84,9 @@ double MeanOver(const conformal::MappedMesh& mesh, const std::vector<double>& va
 
 std::vector<double> SpeedsOf(const std::vector<double>& velocities)
 {
-  std::vector<double> speeds;
-  for (const double velocity : velocities)
-  {
-    speeds.push_back(std::abs(velocity));
-  }
+  std::vector<double> speeds(velocities.size());
+  std::transform(velocities.begin(), velocities.end(), speeds.begin(),
+    [](double velocity) { return std::abs(velocity); });
   return speeds;
 }
 

@@ -114,6 +114,7 @@ Harmonics FromTable(vtkTable* table)
   vtkDataArray* const degrees = RequiredColumn(table, "Degree");
   vtkDataArray* const orders = RequiredColumn(table, "Order");
   std::vector<vtkDataArray*> columns;
+  columns.reserve(Coordinates.size());
   for (const char* name : Coordinates)
   {
     columns.push_back(RequiredColumn(table, name));

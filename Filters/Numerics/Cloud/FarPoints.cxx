@@ -316,7 +316,7 @@ private:
 FarPoints findFarPoints(const PointView& points, const std::function<bool(Index)>& skip,
   const Reduce& reduce, const Run& run)
 {
-  const FarPoints far = Search(points, skip, reduce, run).find();
+  FarPoints far = Search(points, skip, reduce, run).find();
   run.report(1.0);
   return far;
 }

@@ -357,6 +357,7 @@ FoundDeformations findDeformations(const PreparedSurface& moving, const Prepared
   if (!options.StartFromMaps)
   {
     std::vector<SpherePair> turned;
+    turned.reserve(pairs.size());
     for (const SpherePair& pair : pairs)
     {
       turned.push_back({ pair.To, pair.From });

@@ -182,6 +182,7 @@ Points transformed(const PreparedSurface& moving, const LandmarkPairs& landmarks
 std::vector<int> idsOf(const std::vector<std::pair<int, int>>& landmarks, bool ofMoving)
 {
   std::vector<int> ids;
+  ids.reserve(landmarks.size());
   for (const auto& [moving, fixed] : landmarks)
   {
     ids.push_back(ofMoving ? moving : fixed);
