@@ -446,7 +446,7 @@ class Proxy:
         if self.overlay.has_times:
             times = add(proxy, "DoubleVectorProperty", name="TimestepValues", repeatable="1", information_only="1")
             add(times, "TimeStepsInformationHelper")
-            add(times, "Documentation").text = "Available time steps."
+            times.append(documentation("Available time steps."))
         for index, name in enumerate(self.overlay.outputs):
             add(proxy, "OutputPort", index=index, name=name)
         self.hints(proxy, *hints)
