@@ -112,7 +112,7 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
   addLength("HoleDepth", hull.LargestHole.Peak);
   AddNumber(data, "Leaks", static_cast<long long>(hull.Leaks));
   AddNumber(
-    data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside + far.Count));
+    data, "NumberOfPointsOutside", static_cast<long long>(hull.NumberOfSamplesOutside) + far.Count);
   AddNumber(data, "NumberOfPointsInside", static_cast<long long>(hull.NumberOfSamplesInside));
 }
 }

@@ -90,6 +90,7 @@ void CarryArrays(
   for (const std::vector<int>& parents : repaired.Parents)
   {
     std::vector<std::pair<int, double>> parts;
+    parts.reserve(parents.size());
     for (const int id : parents)
     {
       parts.emplace_back(id, 1.0);

@@ -138,6 +138,7 @@ void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces
   std::string misfits;
   const std::vector<Arrays> common = CommonArrays(surfaces, misfits);
   std::vector<double> shares; // progress: proportional to the numbers of components
+  shares.reserve(common.size());
   for (const Arrays& arrays : common)
   {
     shares.push_back(static_cast<double>(arrays.front()->GetNumberOfComponents()));

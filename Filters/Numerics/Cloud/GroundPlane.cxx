@@ -64,6 +64,7 @@ double noiseOf(const Plane& plane, const Points& points, const std::vector<int>&
 {
   constexpr double deviations = 1.4826; // of a normal distribution, per median magnitude
   std::vector<double> heights;
+  heights.reserve(inPlane.size());
   for (const int i : inPlane)
   {
     heights.push_back(std::abs(plane.height(points.row(i))));
@@ -90,6 +91,7 @@ Plane largestPlane(const Points& points, const SampleSpacing& spacing, double to
     const Vector3 seed = points.row(random.index(points.rows()));
     spacing.tree().nearest(seed, neighbors, around);
     std::vector<int> ids;
+    ids.reserve(around.size());
     for (const Neighbor& neighbor : around)
     {
       ids.push_back(neighbor.Id);

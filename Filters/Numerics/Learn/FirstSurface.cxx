@@ -100,8 +100,9 @@ FirstSurface firstSurfaceFromSphere(const TrainingSamples& samples,
 {
   BatchTrainingOptions coarse;
   static_cast<BatchOptions&>(coarse) = options.Batch;
-  coarse.Frequency = std::max(MinimumFrequency,
-    static_cast<int>(std::sqrt(0.1 * static_cast<double>(options.NumberOfNeurons / Coarser))));
+  const Index neurons = options.NumberOfNeurons / Coarser;
+  coarse.Frequency =
+    std::max(MinimumFrequency, static_cast<int>(std::sqrt(0.1 * static_cast<double>(neurons))));
   coarse.ReferencePoint = options.ReferencePoint;
   coarse.RandomSeed = options.RandomSeed;
   coarse.Observer = observer;

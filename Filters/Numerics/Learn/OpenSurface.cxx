@@ -71,6 +71,7 @@ std::vector<double> interpolated(
 std::vector<bool> bareVerticesOf(const std::vector<double>& support)
 {
   std::vector<bool> bare;
+  bare.reserve(support.size());
   for (const double value : support)
   {
     bare.push_back(value < HalfSupport);

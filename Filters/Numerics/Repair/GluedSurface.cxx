@@ -564,6 +564,7 @@ void closeLoop(
     return;
   }
   std::vector<int> vertices;
+  vertices.reserve(loop.size() + static_cast<std::size_t>(cap.Added.rows()));
   for (int j = 0; j < size; ++j)
   {
     vertices.push_back(surface.from(loop[placeInLoop(j, size)]));
