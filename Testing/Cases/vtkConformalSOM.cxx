@@ -129,11 +129,11 @@ ScaledRun Learns(
 
 std::vector<ProgressRun> ProgressRuns()
 {
-  const auto head = []() { return Head(60); };
-  const auto limbs = []() { return Limbs(60); };
+  const auto head = []() { return Head(30); };
+  const auto limbs = []() { return Limbs(30); };
   const auto fromMesh = []() -> Maker
   {
-    const SurfacePointer cloud = Head(60), start = Head(40);
+    const SurfacePointer cloud = Head(30), start = Head(20);
     return [=]() -> Algorithm
     {
       const auto som = vtkSmartPointer<F>::New();
@@ -144,7 +144,7 @@ std::vector<ProgressRun> ProgressRuns()
   };
   const auto withPattern = []()
   {
-    const SurfacePointer cloud = Head(60);
+    const SurfacePointer cloud = Head(30);
     vtkNew<vtkDoubleArray> height;
     height->SetName("Height");
     height->SetNumberOfValues(cloud->GetNumberOfPoints());
@@ -155,9 +155,9 @@ std::vector<ProgressRun> ProgressRuns()
     cloud->GetPointData()->AddArray(height);
     return cloud;
   };
-  return { Run<F>("head", head),
+  return { Run<F>("head", []() { return Head(60); }),
     Run<F>("head, pattern array", withPattern, [](F* som) { som->AddPatternArray("Height", 1.0); }),
-    Run<F>("head, large", head, [](F* som) { som->SetNumberOfNeurons(25002); }),
+    Run<F>("head, many neurons", head, [](F* som) { som->SetNumberOfNeurons(8002); }),
     Run<F>("head, without a fit", head, [](F* som) { som->SetFitIterations(0); }),
     Run<F>("limbs", limbs),
     Run<F>("head, from the sphere", head, [](F* som) { som->SetStartingShapeToSphere(); }),

@@ -97,7 +97,7 @@ Case SphericalTemplate()
   all.Progress = { { "three surfaces",
     []() -> Maker
     {
-      const SurfacePointer head = Head(40), limbs = Limbs(40), coarse = Head(20);
+      const SurfacePointer head = Head(20), limbs = Limbs(20), coarse = Head(12);
       return [=]() -> Algorithm
       {
         const auto filter = vtkSmartPointer<F>::New();
@@ -106,7 +106,7 @@ Case SphericalTemplate()
           filter->AddInputDataObject(surface);
         }
         filter->SetMaximumNumberOfRounds(1);
-        filter->SetFrequency(16);
+        filter->SetFrequency(10);
         return filter;
       };
     } } };

@@ -47,7 +47,7 @@ Case SurfaceGeodesics()
     },
     { { "GeodesicDistance", 1 }, { "PathLength", 1 } }, 1e-7) };
   all.Progress = { Run<F>(
-    "many", []() { return Head(120); }, [](F* f) { f->SetNumberOfFarthestPoints(20); }) };
+    "many", []() { return Head(60); }, [](F* f) { f->SetNumberOfFarthestPoints(20); }) };
   all.Fuzz = [](fuzz::FilterSource& source)
   {
     vtkNew<F> filter;

@@ -176,16 +176,19 @@ class TestStudy(unittest.TestCase):
         self.assertEqual([row["group"] for row in table(self.study, "scores.csv")], self.groups)
 
     def test_registration_is_that_of_the_template(self):
+        names, study = self.names[:4], os.path.join(self.folder, "four")
+        run = command(self.folder, "shapes", *names, "-o", study, *SMALL, "--rounds", "2", "--jobs", "2")
+        self.assertEqual(run.returncode, 0, run.stderr)
         template, blocks = vtkSphericalTemplate(), vtkMultiBlockDataSet()
-        for i, path in enumerate(maps_of(self.study, self.names)):
+        for i, path in enumerate(maps_of(study, names)):
             blocks.SetBlock(i, read(vtkXMLPolyDataReader(), path))
         template.SetInputDataObject(blocks)
         template.SetMaximumNumberOfRounds(2)
         template.SetTolerance(0.0)
         template.Update()
-        files = [read(vtkXMLPolyDataReader(), path) for path in glob.glob(os.path.join(self.study, "work", "register-*"))]
+        files = [read(vtkXMLPolyDataReader(), path) for path in glob.glob(os.path.join(study, "work", "register-*"))]
         written = [vtk_to_numpy(file.GetPointData().GetArray("SpherePosition")) for file in files]
-        for i in range(NUMBER):
+        for i in range(len(names)):
             own = vtk_to_numpy(template.GetOutput().GetBlock(i).GetPointData().GetArray("SpherePosition"))
             self.assertLess(min(np.abs(own - other).max() for other in written), 1e-6, self.names[i])
 
