@@ -19,6 +19,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -37,6 +38,14 @@ std::size_t PoseAt(const std::vector<double>& times, double time)
 {
   const auto after = std::upper_bound(times.begin(), times.end(), time);
   return after == times.begin() ? 0 : after - times.begin() - 1;
+}
+
+// Append the poses. Those of separate inputs and of blocks are numbered by their times.
+void AddPoses(vtkInformationVector* inputs, glue::Surfaces& poses)
+{
+  const bool isNumbered = glue::TimeStepsOf(inputs).empty();
+  glue::AddSurfaces(
+    inputs, poses, isNumbered ? glue::MissingBlocks::Empty : glue::MissingBlocks::LeftOut);
 }
 
 // Return the pose at the requested time. Replace the requested time by that of the pose.
@@ -93,6 +102,17 @@ conformal::MappedMesh CopyAtRest(
   {
     throw std::invalid_argument(std::string("the ") + name + ": " + error.what());
   }
+}
+
+vtkSmartPointer<vtkPolyData> Deformed(vtkPolyData* target, const conformal::TransferredShape& shape,
+  const conformal::CoordinateFrame& frame)
+{
+  auto deformed = vtkSmartPointer<vtkPolyData>::New();
+  deformed->ShallowCopy(target);
+  glue::RemoveNormals(deformed);
+  glue::SetPoints(deformed, shape.Positions, frame);
+  glue::AddNumber(deformed->GetFieldData(), "TransferResidual", shape.Residual);
+  return deformed;
 }
 
 void RequireSameCells(vtkPolyData* pose, vtkPolyData* source)
@@ -217,7 +237,7 @@ int vtkDeformationTransfer::RequestInformation(
     glue::Surfaces poses;
     try
     {
-      glue::AddSurfaces(inputs[2], poses);
+      AddPoses(inputs[2], poses);
     }
     catch (const std::invalid_argument&)
     {
@@ -231,6 +251,21 @@ int vtkDeformationTransfer::RequestInformation(
     glue::SetTimeSteps(outputs->GetInformationObject(0), times);
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkDeformationTransfer::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  const std::vector<double> times = glue::TimeStepsOf(inputs[2]);
+  if (!times.empty() && info->Has(Executive::UPDATE_TIME_STEP()))
+  {
+    // The source of the poses may interpolate, or choose the nearest time.
+    const double time = times[PoseAt(times, info->Get(Executive::UPDATE_TIME_STEP()))];
+    inputs[2]->GetInformationObject(0)->Set(Executive::UPDATE_TIME_STEP(), time);
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 
 //------------------------------------------------------------------------------
@@ -249,18 +284,22 @@ int vtkDeformationTransfer::RequestData(
       glue::Surfaces rest, poses;
       glue::AddSurfaces(inputs[0], rest);
       glue::AddSurfaces(inputs[1], rest);
-      glue::AddSurfaces(inputs[2], poses);
-      if (glue::HasEmpty(this, rest) || glue::HasEmpty(this, poses))
+      AddPoses(inputs[2], poses);
+      if (glue::HasEmpty(this, rest) || (poses.Held.empty() && glue::HasEmpty(this, poses)))
       {
         return;
       }
       vtkPolyData *target = rest.Held[0], *source = rest.Held[1];
       vtkPolyData* pose = RequestedPose(inputs[2], poses, time);
-      RequireSameCells(pose, source);
       if (glue::TimeStepsOf(inputs[2]).empty())
       {
         glue::SetTimeSteps(info, glue::CountedTimes(poses.Held.size()));
       }
+      if (glue::IsEmptyInput(this, pose, "the pose is empty; the output is empty"))
+      {
+        return;
+      }
+      RequireSameCells(pose, source);
       const bool isKept = this->Kept && this->Kept->isOf(rest.Times, align, contacts);
       conformal::Steps steps(glue::RunOf(this), { isKept ? 0.0 : 0.9, 0.08, 0.02 });
       const conformal::Run preparing = steps.next();
@@ -268,12 +307,7 @@ int vtkDeformationTransfer::RequestData(
       const conformal::TransferredShape shape = prepared->Transfer.transfer(
         glue::ToPoints(pose->GetPoints(), prepared->SourceFrame), steps.next());
       steps.next();
-      const vtkNew<vtkPolyData> result;
-      result->ShallowCopy(target);
-      glue::RemoveNormals(result);
-      glue::SetPoints(result, shape.Positions, prepared->TargetFrame);
-      glue::AddNumber(result->GetFieldData(), "TransferResidual", shape.Residual);
-      output->ShallowCopy(result);
+      output->ShallowCopy(Deformed(target, shape, prepared->TargetFrame));
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
       this->Kept = prepared;
     });

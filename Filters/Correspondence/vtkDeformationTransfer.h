@@ -19,7 +19,8 @@
  *
  * Input port 2 (repeatable): vtkPolyData, the poses of the source. Either one input with time
  * steps, or separate inputs or blocks of composite data, one for each pose. Poses have the points
- * and cells of the source at rest, in the same order. They need no arrays.
+ * and cells of the source at rest, in the same order. They need no arrays. The output at the time
+ * of a block that is a null pointer or empty is empty, with a warning.
  *
  * Output port 0: vtkPolyData with time steps, the deformed target: cells and arrays of the target,
  * without normals, with points in double precision. The pose is that of the requested time. Times
@@ -123,6 +124,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

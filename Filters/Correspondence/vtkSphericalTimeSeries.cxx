@@ -191,12 +191,13 @@ public:
       return;
     }
     glue::Surfaces surfaces;
-    glue::AddSurfaces(inputs, surfaces);
     if (!this->Times.empty())
     {
+      glue::AddSurfaces(inputs, surfaces);
       this->AddStep(surfaces);
       return;
     }
+    glue::AddSurfaces(inputs, surfaces, glue::MissingBlocks::Empty);
     this->Steps.clear();
     const std::vector<double> times = glue::CountedTimes(surfaces.Held.size(), this->Interval);
     for (std::size_t s = 0; s < times.size(); ++s)
@@ -593,7 +594,7 @@ int vtkSphericalTimeSeries::RequestInformation(
     glue::Surfaces surfaces;
     try
     {
-      glue::AddSurfaces(inputs[0], surfaces);
+      glue::AddSurfaces(inputs[0], surfaces, glue::MissingBlocks::Empty);
     }
     catch (const std::invalid_argument&)
     {

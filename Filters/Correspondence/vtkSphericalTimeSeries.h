@@ -47,9 +47,9 @@
  *   "NormalVelocity" and "TangentialVelocity".
  * Numbers of skipped time steps are 0.
  *
- * A surface that is empty or cannot be used is skipped, with a warning that contains its number. At
- * its time, the output is interpolated. If the surface of ReferenceStep cannot be used, there is an
- * error.
+ * A surface that is empty or cannot be used, or a block that is a null pointer, is skipped, with a
+ * warning that contains its number. At its time, the output is interpolated. If the surface of
+ * ReferenceStep cannot be used, there is an error.
  *
  * Each surface is registered with its neighbor in time, starting from ReferenceStep. All time steps
  * share one space, and bodies move smoothly: corresponding points should be near the positions that

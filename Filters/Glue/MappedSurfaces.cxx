@@ -48,7 +48,7 @@ double Surfaces::numberOfPoints() const
 }
 
 //------------------------------------------------------------------------------
-void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces)
+void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces, MissingBlocks missing)
 {
   const auto add = [&](vtkDataObject* data, const std::string& name)
   {
@@ -72,11 +72,14 @@ void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces)
       continue;
     }
     const auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    each->SetSkipEmptyNodes(missing == MissingBlocks::LeftOut);
     for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
     {
       const bool hasName =
         each->HasCurrentMetaData() && each->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME());
-      add(each->GetCurrentDataObject(),
+      const vtkNew<vtkPolyData> empty;
+      vtkDataObject* block = each->GetCurrentDataObject();
+      add(block ? block : empty.Get(),
         hasName ? each->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : "");
     }
   }

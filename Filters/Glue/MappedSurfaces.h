@@ -58,10 +58,18 @@ std::vector<double> CountedTimes(std::size_t count, double interval = 1.0);
 /// @param[in] times  at least one, in ascending order
 void SetTimeSteps(vtkInformation* outputInformation, const std::vector<double>& times);
 
+/// What AddSurfaces() does with blocks of composite data that are null pointers.
+enum class MissingBlocks
+{
+  LeftOut,
+  Empty ///< appended as empty surfaces, so that later blocks keep their numbers
+};
+
 /// Append the surfaces of all connections of a port. From composite data, append all blocks in
-/// sequence, except empty blocks.
+/// sequence.
 /// @throws std::invalid_argument if a data object or block is not a vtkPolyData
-void AddSurfaces(vtkInformationVector* inputs, Surfaces& surfaces);
+void AddSurfaces(
+  vtkInformationVector* inputs, Surfaces& surfaces, MissingBlocks missing = MissingBlocks::LeftOut);
 
 /// Test whether there are no surfaces, or some surface has no points. If the result is true, issue
 /// a warning.

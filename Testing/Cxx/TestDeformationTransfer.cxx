@@ -56,7 +56,8 @@ double LargestDistance(vtkPolyData* a, vtkPolyData* b)
   return largest;
 }
 
-// Source of poses at the times 0, 2 and 5, bent by a tenth of the time.
+// Source of poses at the times 0, 2 and 5, bent by a tenth of the time. Between these times, it
+// offers the nearest pose.
 class Poses : public vtkPolyDataAlgorithm
 {
 public:
@@ -82,7 +83,7 @@ protected:
     vtkInformation* info = outputs->GetInformationObject(0);
     double time =
       info->Has(Executive::UPDATE_TIME_STEP()) ? info->Get(Executive::UPDATE_TIME_STEP()) : 0.0;
-    time = time < 2.0 ? 0.0 : time < 5.0 ? 2.0 : 5.0;
+    time = time < 1.0 ? 0.0 : time < 3.5 ? 2.0 : 5.0;
     vtkPolyData::GetData(outputs)->ShallowCopy(Bent(this->Rest, 0.1 * time));
     return 1;
   }
@@ -175,11 +176,27 @@ TEST_F(DeformationTransfer, BlocksArePoses)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, Bent(this->Source, 1.0));
-  blocks->SetBlock(2, Bent(this->Source, -1.0));
+  blocks->SetBlock(1, Bent(this->Source, -1.0));
   this->Filter->SetInputData(this->Source);
   this->Filter->SetPoseData(blocks);
   EXPECT_LT(
     LargestDistance(this->At(1.0), Bent(this->Source, -1.0)), 1e-9 * this->Source->GetLength());
+}
+
+TEST_F(DeformationTransfer, MissingBlocksKeepTheirTimes)
+{
+  this->Filter->SetInputData(this->Source);
+  const auto last = Bent(this->Source, 0.5);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, this->Source);
+  blocks->SetBlock(1, nullptr);
+  blocks->SetBlock(2, last);
+  this->Filter->SetPoseData(blocks);
+  EXPECT_LT(LargestDistance(this->At(0.0), this->Source), 1e-10 * last->GetLength());
+  EXPECT_LT(LargestDistance(this->At(2.0), last), 1e-10 * last->GetLength());
+  this->Filter->UpdateTimeStep(1.0);
+  this->Seen.ExpectWarning("the pose is empty");
+  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 // Blocks of a filter that has not run yet cannot be counted before the update.
@@ -210,6 +227,8 @@ TEST_F(DeformationTransfer, TimeStepsOfThePosesAreThoseOfTheOutput)
     EXPECT_EQ(
       this->Filter->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), time);
   }
+  EXPECT_LT(LargestDistance(this->At(4.0), Bent(this->Source, 0.2)), tolerance)
+    << "between two times, the pose is that of the earlier one";
 }
 
 TEST_F(DeformationTransfer, ContactsStay)

@@ -392,6 +392,19 @@ TEST_F(SphericalTimeSeries, SkipsSurfacesThatCannotBeUsed)
   this->Seen.ExpectError("ReferenceStep is 4, but there are only 4 time steps");
 }
 
+TEST_F(SphericalTimeSeries, SkipsMissingBlocksAtTheirTimes)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, HeadAt(0.0));
+  blocks->SetBlock(1, nullptr);
+  blocks->SetBlock(2, HeadAt(2.0));
+  this->Filter->SetInputDataObject(blocks);
+  this->Filter->UpdateTimeStep(2.0);
+  this->Seen.ExpectWarning("time step 1 is skipped and interpolated: the surface is empty");
+  EXPECT_EQ(this->Entry(1, "State").ToString(), "skipped");
+  EXPECT_EQ(this->Entry(2, "Time").ToDouble(), 2.0);
+}
+
 TEST_F(SphericalTimeSeries, TakesSeparateInputsAndKnowsTheirRegistrations)
 {
   for (const double time : { 0.0, 1.0, 2.0 })
