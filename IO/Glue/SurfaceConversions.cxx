@@ -21,6 +21,7 @@
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -232,14 +233,33 @@ std::vector<conformal::NamedArray> ToNamedArrays(vtkDataSetAttributes* data)
     const int components = array->GetNumberOfComponents();
     const bool isColor = array == data->GetScalars() && array->GetDataType() == VTK_UNSIGNED_CHAR &&
       (components == 3 || components == 4);
+    const std::string standard = isColor ? (components == 3 ? "RGB" : "RGBA")
+      : array == data->GetNormals()      ? "Normals"
+      : array == data->GetTCoords()      ? "TCoords"
+                                         : "";
     const std::string name = array->GetName() ? array->GetName() : "";
-    arrays.push_back(ToNamedArray(array,
-      isColor                         ? (components == 3 ? "RGB" : "RGBA")
-        : array == data->GetNormals() ? "Normals"
-        : array == data->GetTCoords() ? "TCoords"
-                                      : name));
+    // Formats write the first array of a name, which is to be the active one.
+    const auto place = std::find_if(arrays.begin(), arrays.end(),
+      [&](const conformal::NamedArray& other) { return other.Name == standard; });
+    arrays.insert(standard.empty() ? arrays.end() : place,
+      ToNamedArray(array, standard.empty() ? name : standard));
   }
   return arrays;
+}
+
+// Return the arrays of polygons, which come after vertices and lines.
+std::vector<conformal::NamedArray> ToPolygonArrays(vtkPolyData* surface)
+{
+  const vtkIdType first = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  if (first == 0)
+  {
+    return ToNamedArrays(surface->GetCellData());
+  }
+  const vtkNew<vtkCellData> ofPolygons;
+  ofPolygons->CopyAllOn();
+  ofPolygons->CopyAllocate(surface->GetCellData(), surface->GetNumberOfPolys());
+  ofPolygons->CopyData(surface->GetCellData(), 0, surface->GetNumberOfPolys(), first);
+  return ToNamedArrays(ofPolygons);
 }
 
 void AddPolygons(vtkPolyData* input, conformal::SurfaceData& data)
@@ -374,10 +394,7 @@ conformal::SurfaceData ToSurfaceData(vtkPolyData* input)
   }
   data.PointArrays = ToNamedArrays(surface->GetPointData());
   AddPolygons(surface, data);
-  if (surface->GetNumberOfCells() == surface->GetNumberOfPolys())
-  {
-    data.PolygonArrays = ToNamedArrays(surface->GetCellData());
-  }
+  data.PolygonArrays = ToPolygonArrays(surface);
   return data;
 }
 

@@ -9,10 +9,17 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkConformalOFFReader.h"
+#include "vtkConformalOFFWriter.h"
 #include "vtkConformalPLYReader.h"
 #include "vtkConformalPLYWriter.h"
+#include "vtkGuMeshReader.h"
+#include "vtkGuMeshWriter.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkStripper.h"
+#include "vtkTextCloudReader.h"
+#include "vtkTextCloudWriter.h"
 
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -37,6 +44,89 @@ void AbortAtOnce(vtkAlgorithm* writer)
     { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
   writer->AddObserver(vtkCommand::ProgressEvent, abort);
 }
+
+// Return the sphere with inactive arrays before the active ones, which have names of the format.
+vtkSmartPointer<vtkPolyData> SphereWithDecoys()
+{
+  auto sphere = vtkSmartPointer<vtkPolyData>::New();
+  sphere->DeepCopy(contract::RichSphere());
+  vtkPointData* data = sphere->GetPointData();
+  const vtkNew<vtkPointData> active;
+  active->ShallowCopy(data);
+  data->Initialize();
+  const auto add = [&](vtkDataArray* array, const char* decoy, const char* name)
+  {
+    const auto inactive = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    inactive->DeepCopy(array);
+    inactive->SetName(decoy);
+    inactive->Fill(0.0);
+    data->AddArray(inactive);
+    array->SetName(name);
+    data->AddArray(array);
+  };
+  add(active->GetScalars(), "RGB", "Painted");
+  data->SetActiveScalars("Painted");
+  add(active->GetNormals(), "Normals", "MyNormals");
+  data->SetActiveNormals("MyNormals");
+  add(active->GetTCoords(), "TCoords", "UV");
+  data->SetActiveTCoords("UV");
+  return sphere;
+}
+
+template <typename Reader, typename Writer>
+void ExpectActiveArrays(bool hasTextureCoordinates)
+{
+  const TemporaryFolder folder;
+  vtkNew<Writer> writer;
+  SCOPED_TRACE(writer->GetClassName());
+  const auto sphere = SphereWithDecoys();
+  const contract::Reading read = contract::WrittenAndRead<Reader>(writer, sphere, folder);
+  contract::ExpectRead(read);
+  vtkPointData* points = read.Output->GetPointData();
+  contract::ExpectSameArray(points->GetScalars(), sphere->GetPointData()->GetScalars());
+  contract::ExpectSameArray(points->GetNormals(), sphere->GetPointData()->GetNormals());
+  if (hasTextureCoordinates)
+  {
+    contract::ExpectSameArray(points->GetTCoords(), sphere->GetPointData()->GetTCoords());
+  }
+}
+}
+
+TEST(SurfaceFileWriter, WritesActiveArraysAsThoseOfTheFormat)
+{
+  ExpectActiveArrays<vtkConformalPLYReader, vtkConformalPLYWriter>(true);
+  ExpectActiveArrays<vtkConformalOFFReader, vtkConformalOFFWriter>(true);
+  ExpectActiveArrays<vtkGuMeshReader, vtkGuMeshWriter>(true);
+  ExpectActiveArrays<vtkTextCloudReader, vtkTextCloudWriter>(false);
+}
+
+TEST(SurfaceFileWriter, WritesArraysOfPolygonsAfterOtherCells)
+{
+  const TemporaryFolder folder;
+  const auto sphere = contract::RichSphere();
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(sphere->GetPoints());
+  surface->SetPolys(sphere->GetPolys());
+  vtkNew<vtkCellArray> vertices, lines;
+  vertices->InsertNextCell({ 0 });
+  lines->InsertNextCell({ 0, 1 });
+  surface->SetVerts(vertices);
+  surface->SetLines(lines);
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Number");
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    numbers->InsertNextValue(static_cast<int>(cell));
+  }
+  surface->GetCellData()->AddArray(numbers);
+  vtkNew<vtkConformalPLYWriter> writer;
+  const contract::Reading read =
+    contract::WrittenAndRead<vtkConformalPLYReader>(writer, surface, folder);
+  contract::ExpectRead(read);
+  vtkDataArray* kept = read.Output->GetCellData()->GetArray("Number");
+  ASSERT_NE(kept, nullptr);
+  ASSERT_EQ(kept->GetNumberOfTuples(), surface->GetNumberOfPolys());
+  EXPECT_EQ(kept->GetComponent(0, 0), 2.0);
 }
 
 TEST(SurfaceFileWriter, EveryWriterRefusesWhatItCannotWriteAndLeavesNoFile)
