@@ -60,11 +60,11 @@ void RemoveOldResults(vtkPolyData* output)
   {
     output->GetPointData()->RemoveArray(name);
   }
-  for (const char* name :
-    { "SphereMapTier", "TorusModulus", "MeanQuasiConformalError", "QuasiConformalError95" })
+  for (const char* name : { "SphereMapTier", "TorusModulus" })
   {
     output->GetFieldData()->RemoveArray(name);
   }
+  glue::RemoveDistortions(output);
 }
 
 // Map a sheet, and describe the map like that of a closed surface.

@@ -23,7 +23,8 @@
  * Output port 0: vtkImageData of ImageSize pixels. The coordinates of a pixel are the texture
  * coordinates (s, t) of its middle.
  * - active scalars: the baked point array, with the same name, type and number of components.
- *   Integers are rounded.
+ *   Integers of 1 component are labels, unless Sampling is AVERAGE: a pixel has the label of the
+ *   nearest corner of its triangle. Other integers, such as colors, are rounded.
  * - point array "OutsideSurface" (unsigned char, 1 component): 1 where the map to the sphere has a
  *   hole, otherwise 0. In holes, the baked values are 0.
  *

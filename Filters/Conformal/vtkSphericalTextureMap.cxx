@@ -66,6 +66,28 @@ void Normalize(vtkDataArray* vectors, vtkIdType firstTuple)
   }
 }
 
+// Arrays of which an added point gets the tuple of the nearest corner, since means of labels, ids
+// and longitudes have no meaning.
+using CopiedArrays = std::vector<std::pair<vtkDataArray*, vtkDataArray*>>; // from, to
+
+CopiedArrays ArraysToCopy(vtkPointData* from, vtkPointData* to)
+{
+  CopiedArrays copied;
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = from->GetArray(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    const bool isDirection =
+      name == glue::SpherePositionName() || name == glue::TexturePositionName();
+    vtkDataArray* target = name.empty() ? nullptr : to->GetArray(name.c_str());
+    if (target && !isDirection && (glue::HoldsLabels(array) || glue::HoldsPlaces(name)))
+    {
+      copied.emplace_back(array, target);
+    }
+  }
+  return copied;
+}
+
 // Set the points of the output: those of the input in the same sequence, then those added by the
 // split.
 void AddSplitPoints(
@@ -80,6 +102,7 @@ void AddSplitPoints(
   vtkPointData* data = output->GetPointData();
   data->InterpolateAllocate(input->GetPointData(), count);
   data->CopyData(input->GetPointData(), 0, kept, 0);
+  const CopiedArrays copied = ArraysToCopy(input->GetPointData(), data);
   vtkNew<vtkIdTypeArray> originalIds;
   originalIds->SetName("OriginalPointIds");
   originalIds->SetNumberOfValues(count);
@@ -105,6 +128,12 @@ void AddSplitPoints(
     else
     {
       data->InterpolatePoint(input->GetPointData(), i, ids, weights.data());
+      conformal::Index nearest = 0;
+      weights.maxCoeff(&nearest);
+      for (const auto& [from, to] : copied)
+      {
+        to->SetTuple(i, place.Ids[nearest], from);
+      }
     }
   }
   Normalize(data->GetArray(glue::SpherePositionName()), kept);

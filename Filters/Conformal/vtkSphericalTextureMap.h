@@ -24,8 +24,9 @@
  * - point array "OriginalPointIds" (vtkIdType, 1 component): id of the input's point, or -1 for a
  *   point where an edge was cut. Points of the input are first, in the sequence of the input.
  * - cell array "OriginalCellIds" (vtkIdType, 1 component): id of the input's cell of which the
- *   triangle is a part. Cell data are copied. Point data are interpolated where edges are cut.
- *   Vertices and lines are left out.
+ *   triangle is a part. Cell data are copied. Where edges are cut, point data are interpolated, but
+ *   integers of 1 component are labels, and copied from the nearest corner of the triangle.
+ * Vertices and lines are left out.
  *
  * Field data define the placement of the image on the sphere:
  * - "SpherePole" (double, 3 components, unit vector): position of the image's middle on the sphere.

@@ -1,7 +1,7 @@
 #include "Glue/CarriedArrays.h"
 
 #include "Base/Steps.h"
-#include "Glue/Points.h"
+#include "Glue/SphereImages.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -21,20 +21,28 @@ using Arrays = std::vector<vtkDataArray*>; // arrays of equal name, one of each 
 bool IsCarried(vtkPointData* data, vtkDataArray* array)
 {
   const std::string name = array && array->GetName() ? array->GetName() : "";
-  return !name.empty() && name != glue::SpherePositionName() &&
+  return !name.empty() && !glue::HoldsPlaces(name) &&
     name != vtkDataSetAttributes::GhostArrayName() && array != data->GetNormals() &&
     array != data->GetTCoords() && array != data->GetGlobalIds() &&
     array != data->GetPedigreeIds() && array->GetNumberOfComponents() > 0;
 }
 
-bool IsOfIntegers(vtkDataArray* array)
+// Make an array for values of several arrays. If their types differ, the type is one that can hold
+// all values.
+vtkSmartPointer<vtkDataArray> MakeArrayLike(const Arrays& arrays)
 {
-  return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
-}
-
-bool IsLabels(vtkDataArray* array)
-{
-  return array->GetNumberOfComponents() == 1 && IsOfIntegers(array);
+  vtkDataArray* first = arrays.front();
+  const bool isOfOneType = std::all_of(arrays.begin(), arrays.end(),
+    [=](vtkDataArray* array) { return array->GetDataType() == first->GetDataType(); });
+  const bool isOfLabels = std::all_of(arrays.begin(), arrays.end(), glue::HoldsLabels);
+  const auto made = vtkSmartPointer<vtkDataArray>::Take(isOfOneType
+      ? first->NewInstance()
+      : vtkDataArray::CreateDataArray(isOfLabels ? VTK_LONG_LONG : VTK_DOUBLE));
+  made->SetName(first->GetName());
+  made->SetNumberOfComponents(first->GetNumberOfComponents());
+  made->CopyComponentNames(first);
+  made->SetLookupTable(first->GetLookupTable());
+  return made;
 }
 
 // Find the arrays common to all surfaces, and list the names of incompatible ones.
@@ -118,7 +126,7 @@ void SetLabels(vtkDataArray* output, const Arrays& arrays, const std::vector<int
 
 void SetNumbers(vtkDataArray* output, const std::vector<double>& numbers)
 {
-  const bool isRounded = IsOfIntegers(output);
+  const bool isRounded = glue::HoldsWholeNumbers(output);
   const int components = output->GetNumberOfComponents();
   for (std::size_t k = 0; k < numbers.size(); ++k)
   {
@@ -149,13 +157,9 @@ void CarryPointArrays(vtkObject* self, const std::vector<vtkPolyData*>& surfaces
   {
     vtkDataArray* first = arrays.front();
     const conformal::Run carrying = steps.next();
-    const auto carried = vtkSmartPointer<vtkDataArray>::Take(first->NewInstance());
-    carried->SetName(first->GetName());
-    carried->SetNumberOfComponents(first->GetNumberOfComponents());
-    carried->CopyComponentNames(first);
-    carried->SetLookupTable(first->GetLookupTable());
+    const vtkSmartPointer<vtkDataArray> carried = MakeArrayLike(arrays);
     carried->SetNumberOfTuples(weights.size());
-    if (std::all_of(arrays.begin(), arrays.end(), IsLabels))
+    if (std::all_of(arrays.begin(), arrays.end(), HoldsLabels))
     {
       SetLabels(
         carried, arrays, conformal::heaviestLabels(weights, AllNumbersOf(arrays), carrying));

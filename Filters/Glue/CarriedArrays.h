@@ -19,11 +19,12 @@ namespace glue
 ///
 /// Integer arrays of 1 component are labels. Each output point gets the label whose source points
 /// have the largest total weight. In all other arrays, numbers are averaged by the weights. The
-/// mean has the type of the array. In integer arrays of several components, such as colors, the
-/// mean is rounded.
+/// mean has the type of the arrays. In integer arrays of several components, such as colors, the
+/// mean is rounded. If arrays of equal name have different types, the output has type long long
+/// for labels and double for other numbers.
 ///
-/// Arrays that define positions or ids are skipped: "SpherePosition" (the map to the sphere),
-/// active normals and texture coordinates, ghost arrays, global ids and pedigree ids.
+/// Arrays that define positions or ids are skipped: those of HoldsPlaces(), active normals and
+/// texture coordinates, ghost arrays, global ids and pedigree ids.
 ///
 /// Source points with a number that is not finite are ignored. If all source points of an output
 /// point are ignored, the output point gets 0. A warning gives the number of these output points,

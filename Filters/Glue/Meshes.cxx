@@ -9,6 +9,7 @@
 #include "Mesh/PolygonTriangulation.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -201,6 +202,22 @@ std::string RejectionOf(const conformal::GenusZeroReport& report, glue::Topology
     "keeps the largest part.";
 }
 
+// Drop triangles that repeat a vertex, and their ids of cells.
+conformal::Index DropRepeatedVertices(glue::ClosedMesh& mesh)
+{
+  std::size_t kept = 0;
+  for (conformal::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const int a = mesh.Triangles(t, 0), b = mesh.Triangles(t, 1), c = mesh.Triangles(t, 2);
+    if (a != b && b != c && c != a)
+    {
+      mesh.CellIds[kept++] = mesh.CellIds[t];
+    }
+  }
+  mesh.CellIds.resize(kept);
+  return conformal::dropRepeatedVertices(mesh.Triangles);
+}
+
 // Repair a mesh without loss. Positions and point ids of the mesh are set only if the repaired mesh
 // is accepted.
 Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
@@ -214,7 +231,7 @@ Repairs Repair(const conformal::Points& points, glue::ClosedMesh& mesh,
   {
     done.Merged = conformal::mergeCoincidentBoundaryPoints(triangles, points, report);
   }
-  done.Repeated = conformal::dropRepeatedVertices(triangles);
+  done.Repeated = DropRepeatedVertices(mesh);
   if (done.Merged + done.Repeated > 0)
   {
     report = conformal::checkGenusZero(triangles, points.rows(), points);
@@ -328,7 +345,7 @@ ClosedMesh ToClosedMesh(vtkObject* self, vtkPolyData* surface,
   conformal::Steps steps(run, { 0.09, 0.01, 0.9 });
   steps.next();
   ClosedMesh mesh;
-  mesh.Triangles = ToTriangles(surface);
+  mesh.Triangles = ToTriangles(surface, mesh.CellIds);
   steps.next();
   const conformal::Points points = ToPoints(surface->GetPoints(), frame);
   if (!points.allFinite())
@@ -379,6 +396,13 @@ void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
   {
     to->CopyData(from, mesh.PointIds[v], v);
   }
+  vtkCellData* cells = output->GetCellData();
+  cells->CopyNormalsOff(); // triangles may be reversed
+  cells->CopyAllocate(surface->GetCellData(), mesh.Triangles.rows());
+  for (vtkIdType t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    cells->CopyData(surface->GetCellData(), mesh.CellIds[t], t);
+  }
   output->GetFieldData()->PassData(surface->GetFieldData());
 }
 
@@ -391,7 +415,7 @@ conformal::Mesh ToMeshIfClosed(
     return {};
   }
   ClosedMesh mesh;
-  mesh.Triangles = ToTriangles(surface);
+  mesh.Triangles = ToTriangles(surface, mesh.CellIds);
   const conformal::Points points = ToPoints(surface->GetPoints(), frame);
   conformal::GenusZeroReport report;
   if (!points.allFinite() || Repair(points, mesh, report, run).Isolated > 0 ||

@@ -53,6 +53,8 @@ struct ClosedMesh : conformal::Mesh
 {
   /// For each vertex, the id of its point in the source surface, the surface that was converted.
   std::vector<vtkIdType> PointIds;
+  /// For each triangle, the id of its cell in the source surface.
+  std::vector<vtkIdType> CellIds;
   /// Whether all triangles are clockwise seen from outside, as in the source surface. If true,
   /// Outward() reverses the triangles in its copy.
   bool InsideOut = false;
@@ -93,7 +95,8 @@ conformal::Mesh Outward(const ClosedMesh& mesh);
 
 /// Set an output to the source surface of a closed mesh. If ToClosedMesh() repaired nothing, the
 /// output is a shallow copy of the source surface. Otherwise, the output is the repaired mesh, with
-/// the point data of the remaining points and the field data.
+/// the point data of the remaining points, the cell data of the remaining triangles except their
+/// active normals, and the field data.
 void PassClosedMesh(vtkPolyData* surface, const ClosedMesh& mesh,
   const conformal::CoordinateFrame& frame, vtkPolyData* output);
 

@@ -167,6 +167,7 @@ void SetRegistration(vtkPolyData* surface, const conformal::Points& places,
   const conformal::SphericalRegistrationResult& result)
 {
   ReplaceSpherePositions(surface, places);
+  RemoveDistortions(surface);
   vtkFieldData* data = surface->GetFieldData();
   AddNumber(data, "RegistrationStretch", result.Stretch);
   AddNumber(data, "LandmarkError", result.LandmarkError);

@@ -4,6 +4,7 @@
 #include "Glue/Points.h"
 #include "Texture/SphericalTexture.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -17,13 +18,35 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 namespace
 {
+// Point arrays that are computed from "SpherePosition".
+const char* const FromMap[] = { glue::TexturePositionName(), "DiskPosition", "Longitude",
+  "Latitude", "TargetCellId", "TargetPointIds", "TargetBarycentric" };
+// Field data of AddSphereImage(), and of the array "TexturePosition".
+const char* const ImageFields[] = { "SpherePole", "SphereUp", "SphereRight", "TextureProjection",
+  "TextureFieldOfView", "TextureScale", "TextureMargin", glue::TextureAreaBalanceName() };
+const char* const DistortionArrays[] = { "AngleDistortion", "AreaDistortion",
+  "QuasiConformalError" };
+const char* const DistortionFields[] = { "MeanAngleDistortion", "MeanQuasiConformalError",
+  "MaximumQuasiConformalError", "QuasiConformalError95", "AreaDistortionDeviation" };
+
+template <std::size_t Size>
+void RemoveArrays(vtkFieldData* data, const char* const (&names)[Size])
+{
+  for (const char* name : names)
+  {
+    data->RemoveArray(name);
+  }
+}
+
 const double* NumbersOf(vtkFieldData* data, const char* name, int components)
 {
   vtkDataArray* array = data->GetArray(name);
@@ -116,11 +139,26 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
 }
 
 //------------------------------------------------------------------------------
+bool HoldsPlaces(const std::string& name)
+{
+  return name == SpherePositionName() || name == TorusPositionName() ||
+    name == "OriginalPointIds" || name == "OutsideImage" ||
+    std::find(std::begin(FromMap), std::end(FromMap), name) != std::end(FromMap);
+}
+
+//------------------------------------------------------------------------------
 void ReplaceSpherePositions(vtkPolyData* surface, const conformal::Points& positions)
 {
   AddVectors(surface->GetPointData(), SpherePositionName(), positions);
-  surface->GetPointData()->RemoveArray(TexturePositionName());
-  surface->GetFieldData()->RemoveArray(TextureAreaBalanceName());
+  RemoveArrays(surface->GetPointData(), FromMap);
+  RemoveArrays(surface->GetFieldData(), ImageFields);
+}
+
+//------------------------------------------------------------------------------
+void RemoveDistortions(vtkPolyData* surface)
+{
+  RemoveArrays(surface->GetCellData(), DistortionArrays);
+  RemoveArrays(surface->GetFieldData(), DistortionFields);
 }
 
 //------------------------------------------------------------------------------
@@ -185,6 +223,12 @@ bool HoldsWholeNumbers(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
+bool HoldsLabels(vtkDataArray* array)
+{
+  return array->GetNumberOfComponents() == 1 && HoldsWholeNumbers(array);
+}
+
+//------------------------------------------------------------------------------
 vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name)
 {
   vtkDataArray* array = name.empty() ? data->GetPointData()->GetScalars()
@@ -202,7 +246,7 @@ vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name)
 conformal::PixelSink PixelPainter(
   vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes)
 {
-  const bool isWhole = HoldsWholeNumbers(values);
+  const bool isWhole = HoldsWholeNumbers(values), isOfLabels = HoldsLabels(values);
   return [=](conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
   {
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -213,6 +257,11 @@ conformal::PixelSink PixelPainter(
       holes->SetValue(pixel, isHole);
       conformal::Index largest = 0;
       if (!isHole && place.Weights.maxCoeff(&largest) == 1.0) // a copy keeps integers of 64 bits
+      {
+        pixels->SetTuple(pixel, place.Ids[largest], values);
+        continue;
+      }
+      if (!isHole && isOfLabels)
       {
         pixels->SetTuple(pixel, place.Ids[largest], values);
         continue;

@@ -43,9 +43,20 @@ inline const char* TextureAreaBalanceName()
   return "TextureAreaBalance";
 }
 
-/// Set "SpherePosition" of a surface to another map, and remove the texture positions of the
-/// earlier map, so that vtkSphericalTextureMap does not reuse them.
+/// Test whether the point array of this name holds places on a map of the surface, or ids of points
+/// or cells, which cannot be averaged. Arrays are "SpherePosition" and those that are computed from
+/// a map by vtkSphericalTextureMap, vtkGlobalConformalMap, vtkBodyMap, vtkSphericalRegistration and
+/// vtkGenusZeroRepair.
+bool HoldsPlaces(const std::string& name);
+
+/// Set "SpherePosition" of a surface to another map. Arrays that were computed from the earlier map
+/// are removed: places of pictures, longitudes and latitudes, and corresponding points of another
+/// surface. Texture coordinates are preserved, since a picture stays where it is on the surface.
 void ReplaceSpherePositions(vtkPolyData* surface, const conformal::Points& positions);
+
+/// Remove the distortions of an earlier map: cell arrays and field data of vtkConformalDistortion,
+/// and field data of vtkConformalSOM and vtkGlobalConformalMap.
+void RemoveDistortions(vtkPolyData* surface);
 
 /// Return the sphere positions by which a picture is placed on a surface: a copy of the point array
 /// "TexturePosition", or, without this array, of "SpherePosition". The copied vectors are
@@ -86,12 +97,17 @@ vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image);
 /// to the array.
 bool HoldsWholeNumbers(vtkDataArray* array);
 
+/// Return whether an array contains labels: integers, with 1 component. Means of labels have no
+/// meaning.
+bool HoldsLabels(vtkDataArray* array);
+
 /// Return the point array with the given name. If the name is empty, return the active scalars.
 /// @throws std::invalid_argument if the array does not exist
 vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name);
 
 /// Return a function that writes pixels of an image. For each pixel, the function interpolates
-/// `values` at the surface point that the pixel shows. The result is written to `pixels`. If the
+/// `values` at the surface point that the pixel shows. A label (HoldsLabels()) is that of the
+/// nearest corner of the triangle. The result is written to `pixels`. If the
 /// pixel shows no surface point, the function writes 0 to `pixels`, and 1 to `holes`. The three
 /// arrays must outlive the function.
 conformal::PixelSink PixelPainter(

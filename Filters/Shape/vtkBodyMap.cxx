@@ -9,6 +9,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Mesh/GenusZeroCheck.h"
 #include "Sphere/SphereCoverage.h"
 
@@ -293,8 +294,7 @@ int vtkBodyMap::RequestData(
       steps.next();
       const vtkNew<vtkPolyData> result;
       result->ShallowCopy(surface);
-      glue::AddVectors(
-        result->GetPointData(), glue::SpherePositionName(), coordinates.SpherePositions);
+      glue::ReplaceSpherePositions(result, coordinates.SpherePositions);
       AddAngles(result->GetPointData(), coordinates.SpherePositions);
       AddRelief(result, body, isEllipsoid, frame);
       AddPlaces(result, body.Positions, coordinates, options, frame);

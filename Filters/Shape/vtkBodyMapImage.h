@@ -16,7 +16,8 @@
  * EQUIRECTANGULAR, the coordinates are degrees of longitude from the central meridian, and degrees
  * of latitude. For other projections, the unit is the radius of the sphere.
  * - active scalars: the drawn point array, with the same name, type and number of components.
- *   Integers are rounded.
+ *   Integers of 1 component are labels: a pixel has the label of the nearest corner of its
+ * triangle. Other integers, such as colors, are rounded.
  * - point array "OutsideMap" (unsigned char): 1 beyond the outline of the map, otherwise 0. Where
  *   the value is 1, the drawn values are 0.
  * - point array "OutsideSurface" (unsigned char): 1 beyond the outline, and where the map to the
@@ -133,10 +134,10 @@ public:
   /**
    * Ratio of length to diameter of the capsule, a cylinder with round ends, for Projection CAPSULE.
    * The sphere is mapped conformally to the capsule. The map shows the cylinder as a rectangle, and
-   * the ends as disks above and below, in the middle of the image. On a body of this shape, pixels show equal areas. With 0
-   * (default), the aspect is that with which areas differ least from those of the body; the field
-   * data "CapsuleAspect" of the map is its value. Set the aspect to draw several bodies alike. In
-   * [1, 25]; values below 1 select the aspect automatically.
+   * the ends as disks above and below, in the middle of the image. On a body of this shape, pixels
+   * show equal areas. With 0 (default), the aspect is that with which areas differ least from those
+   * of the body; the field data "CapsuleAspect" of the map is its value. Set the aspect to draw
+   * several bodies alike. In [1, 25]; values below 1 select the aspect automatically.
    */
   vtkSetClampMacro(CapsuleAspect, double, 0.0, 25.0);
   vtkGetMacro(CapsuleAspect, double);

@@ -8,6 +8,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Harmonics/HarmonicAlignment.h"
 #include "Harmonics/HarmonicFit.h"
 #include "Harmonics/HarmonicSurface.h"
@@ -332,8 +333,8 @@ void SetInputSurface(vtkPolyData* output, vtkPolyData* input, const HarmonicsJob
   output->ShallowCopy(input);
   glue::RemoveNormals(output);
   glue::SetPoints(output, Moved(rebuilt.leftCols(3), fit.Alignment), fit.Frame);
-  glue::AddVectors(output->GetPointData(), glue::SpherePositionName(),
-    fit.Mesh.SpherePositions * fit.Alignment.MapRotation.transpose());
+  glue::ReplaceSpherePositions(
+    output, fit.Mesh.SpherePositions * fit.Alignment.MapRotation.transpose());
   for (const ChosenArray& chosen : job.Arrays)
   {
     AddRebuilt(output->GetPointData(), chosen, rebuilt.middleCols(chosen.First, chosen.Components));

@@ -9,6 +9,7 @@
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
+#include "Glue/SphereImages.h"
 #include "Glue/Volumes.h"
 #include "Mesh/VertexNormals.h"
 
@@ -112,8 +113,7 @@ glue::LayeredSurface MakeLayers(vtkSurfaceLayers* self, vtkPolyData* surface,
     axis.UseEnds = properties.Axis == vtkSurfaceLayers::ENDS;
     layered.Mesh.SpherePositions =
       conformal::findBodyCoordinates(layered.Mesh, axis, axisRun).SpherePositions;
-    glue::AddVectors(
-      output->GetPointData(), glue::SpherePositionName(), layered.Mesh.SpherePositions);
+    glue::ReplaceSpherePositions(output, layered.Mesh.SpherePositions);
   }
   layered.Normals = conformal::vertexNormals(layered.Mesh.Positions, layered.Mesh.Triangles);
   layered.Depths =
