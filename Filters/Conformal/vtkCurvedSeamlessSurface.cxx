@@ -322,6 +322,7 @@ int vtkCurvedSeamlessSurface::RequestData(
   return glue::RunCore(this, fits ? this->Controller : nullptr,
     [&](glue::Processes& processes)
     {
+      this->Map->Take(nullptr);
       const int owner =
         FindOwner(this, surface, sampling == NETWORK ? nullptr : sphere.Get(), processes);
       if (owner < 0)
@@ -329,7 +330,6 @@ int vtkCurvedSeamlessSurface::RequestData(
         return;
       }
       conformal::Steps steps(processes.run(), CostOf(domeHeight));
-      this->Map->Take(nullptr);
       const auto map =
         glue::BuildSurface(properties, this, surface, cloud, steps.next(), processes);
       const int cuts =
