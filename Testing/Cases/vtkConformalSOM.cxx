@@ -131,6 +131,7 @@ std::vector<ProgressRun> ProgressRuns()
 {
   const auto head = []() { return Head(30); };
   const auto limbs = []() { return Limbs(30); };
+  const auto few = [](F* som) { som->SetNumberOfNeurons(2002); };
   const auto fromMesh = []() -> Maker
   {
     const SurfacePointer cloud = Head(30), start = Head(20);
@@ -139,6 +140,7 @@ std::vector<ProgressRun> ProgressRuns()
       const auto som = vtkSmartPointer<F>::New();
       som->SetInputData(cloud);
       som->SetStartData(start);
+      som->SetNumberOfNeurons(2002);
       return som;
     };
   };
@@ -156,27 +158,43 @@ std::vector<ProgressRun> ProgressRuns()
     return cloud;
   };
   return { Run<F>("head", []() { return Head(60); }),
-    Run<F>("head, pattern array", withPattern, [](F* som) { som->AddPatternArray("Height", 1.0); }),
+    Run<F>("head, pattern array", withPattern,
+      [=](F* som)
+      {
+        few(som);
+        som->AddPatternArray("Height", 1.0);
+      }),
     Run<F>("head, many neurons", head, [](F* som) { som->SetNumberOfNeurons(8002); }),
     Run<F>("head, without a fit", head, [](F* som) { som->SetFitIterations(0); }),
-    Run<F>("limbs", limbs),
-    Run<F>("head, from the sphere", head, [](F* som) { som->SetStartingShapeToSphere(); }),
-    Run<F>("head, from the hull", head,
-      [](F* som)
+    Run<F>("limbs", limbs, few),
+    Run<F>("head, from the sphere", head,
+      [=](F* som)
       {
+        few(som);
+        som->SetStartingShapeToSphere();
+      }),
+    Run<F>("head, from the hull", head,
+      [=](F* som)
+      {
+        few(som);
         som->SetStartingShapeToHull();
-        som->SetNumberOfNeurons(4002);
       }),
     { "head, from a mesh", fromMesh },
     Run<F>("head, Online", head,
-      [](F* som)
+      [=](F* som)
       {
+        few(som);
         som->SetTrainingModeToOnline();
         som->SetNumberOfEpochs(8);
       }),
     Run<F>(
       "large head", []() { return Head(160); }, [](F* som) { som->SetNumberOfNeurons(4002); }),
-    Run<F>("limbs, adaptive", limbs, [](F* som) { som->SetMeshTypeToAdaptive(); }) };
+    Run<F>("limbs, adaptive", limbs,
+      [=](F* som)
+      {
+        few(som);
+        som->SetMeshTypeToAdaptive();
+      }) };
 }
 
 void Fuzz(fuzz::FilterSource& source)

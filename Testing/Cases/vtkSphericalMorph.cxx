@@ -74,8 +74,8 @@ ProgressRun MorphsOn(const std::string& name, bool isFine, int path, int meshTyp
   return { name,
     [=]() -> Maker
     {
-      const SurfacePointer source = Colored(Head(isFine ? 110 : 60));
-      const SurfacePointer target = isFine ? source : Colored(Limbs(80));
+      const SurfacePointer source = Colored(Head(isFine ? 70 : 40));
+      const SurfacePointer target = isFine ? source : Colored(Limbs(50));
       return [=]() -> Algorithm
       {
         const auto morph = vtkSmartPointer<F>::New();
@@ -83,8 +83,8 @@ ProgressRun MorphsOn(const std::string& name, bool isFine, int path, int meshTyp
         morph->SetTargetData(target);
         morph->SetMeshType(meshType);
         morph->SetPath(path);
-        morph->SetFrequency(70);
-        morph->SetNumberOfPoints(30000);
+        morph->SetFrequency(40);
+        morph->SetNumberOfPoints(10000);
         return morph;
       };
     } };

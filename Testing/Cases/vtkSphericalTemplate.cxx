@@ -97,7 +97,7 @@ Case SphericalTemplate()
   all.Progress = { { "three surfaces",
     []() -> Maker
     {
-      const SurfacePointer head = Head(20), limbs = Limbs(20), coarse = Head(12);
+      const SurfacePointer head = Head(16), limbs = Limbs(16), coarse = Head(10);
       return [=]() -> Algorithm
       {
         const auto filter = vtkSmartPointer<F>::New();
@@ -107,6 +107,7 @@ Case SphericalTemplate()
         }
         filter->SetMaximumNumberOfRounds(1);
         filter->SetFrequency(10);
+        filter->SetMeanFrequency(16);
         return filter;
       };
     } } };
