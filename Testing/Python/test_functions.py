@@ -191,6 +191,42 @@ class TestFunctions(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "expected a file of type .*glb"):
             painted.save(self.path("saved.docx"))
 
+    def test_the_painted_picture_is_not_replaced(self):
+        path = self.path("photo.png")
+        self.surface.paint(picture()).save(self.path("photo.ply"))
+        os.unlink(self.path("photo.ply"))
+        with open(path, "rb") as file:
+            photo = file.read()
+        painted = self.surface.paint(path)
+        for surface in (painted, copy.copy(painted), self.surface.painted_as(painted)):
+            self.assertEqual(surface.picture_file, path)
+            for name in ("photo.obj", "photo.ply"):
+                with self.assertRaisesRegex(ValueError, "photo.png is the picture that paint.. read.*another name"):
+                    surface.save(self.path(name), overwrite=True)
+                self.assertFalse(os.path.exists(self.path(name)))
+        self.surface.save(self.path("photo.ply"), overwrite=False)  # there is no picture to write
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(), photo)
+        self.assertIsNone(self.surface.paint(picture()).picture_file)
+
+    def test_unrelated_files_beside_a_surface_are_not_replaced(self):
+        painted, other = self.surface.paint(picture()), self.surface.paint(picture()[::-1].copy())
+        for name, beside in (("a.ply", "a.png"), ("b.obj", "b.mtl"), ("c.obj", "c.png")):
+            with open(self.path(beside), "wb") as file:
+                file.write(b"mine")
+            with self.assertRaisesRegex(FileExistsError, f"not part of the file.*overwrite=True.*{beside}"):
+                painted.save(self.path(name))
+            with open(self.path(beside), "rb") as file:
+                self.assertEqual(file.read(), b"mine")
+            self.assertFalse(os.path.exists(self.path(name)))
+            painted.save(self.path(name), overwrite=True)
+            other.save(self.path(name))  # replaces all files of the save before
+        with open(self.path("a.png"), "rb") as file, open(self.path("c.png"), "rb") as same:
+            self.assertEqual(file.read(), same.read())
+        other.save(self.path("c.ply"))  # with the picture that is there
+        with self.assertRaisesRegex(FileExistsError, "b.png"):
+            painted.save(self.path("b.ply"))  # b.obj needs the other one
+
     def test_surfaces_do_not_change(self):
         for array in (self.surface.points, self.surface.faces, self.surface.sphere):
             with self.assertRaises(ValueError):

@@ -1,5 +1,6 @@
 """Surfaces as files, and as meshes of other packages."""
 import errno
+import filecmp
 import os
 import typing
 
@@ -14,27 +15,67 @@ from conformalsom.running import run
 if typing.TYPE_CHECKING:
     from conformalsom.surface import Surface
 
+HEAD = 2**16  # bytes of a file in which it names the files that belong to it
+
 
 class Quiet:
-    """Steps of the command that print nothing."""
+    """Steps of the command that print nothing. Files in `kept` are replaced by equal files only."""
 
-    @staticmethod
-    def run(_, writer, work=None):  # pylint: disable=unused-argument
+    def __init__(self, kept: typing.Iterable[str]) -> None:
+        self.kept = kept
+
+    def run(self, _, writer, work=None):  # pylint: disable=unused-argument
         """Write a file, which aborts at an exception such as KeyboardInterrupt."""
         if isinstance(writer, outputs.ThreeMFWriter):  # in Python, which other threads cannot run
             writer.Write()
         else:
             run(writer)
+        for file in self.kept:
+            new = os.path.join(os.path.dirname(writer.GetFileName()), os.path.basename(file))
+            if os.path.exists(file) and not filecmp.cmp(file, new, shallow=False):
+                raise FileExistsError(errno.EEXIST, "it exists and is not part of the file to be replaced; "
+                                      "pass overwrite=True or another name", file)
 
 
-def save(surface: "Surface", path: str, overwrite: bool) -> None:
+def save(surface: "Surface", path: str, overwrite: typing.Optional[bool]) -> None:
     """Write a surface to a file of the type of its extension."""
     if outputs.extension_of(path) not in outputs.SURFACES:
         raise ValueError(f"{path}: expected a file of type {' '.join(outputs.SURFACES)}")
-    for file in outputs.files_of(path):
-        if not overwrite and os.path.lexists(os.path.realpath(file)):
+    writer = writer_of(surface, path)
+    files = outputs.files_of(path) if isinstance(writer, conformalsom.vtkTexturedSurfaceWriter) else [path]
+    for file in files[1:]:
+        if is_same_file(file, surface.picture_file):
+            raise ValueError(f"{file} is the picture that paint() read, and would be replaced: choose another name")
+    for file in files:
+        if overwrite is False and os.path.lexists(os.path.realpath(file)):
             raise FileExistsError(errno.EEXIST, "it exists; pass overwrite=True or another name", file)
-    outputs.write(Quiet, writer_of(surface, path), path, overwrite=overwrite)
+    steps = Quiet(not_named(files) if overwrite is None else ())
+    outputs.write(steps, writer, path, overwrite=overwrite is not False, files=files)
+
+
+def is_same_file(path: str, other: typing.Optional[str]) -> bool:
+    """Return whether two paths lead to one file that exists."""
+    return other is not None and os.path.exists(path) and os.path.exists(other) and os.path.samefile(path, other)
+
+
+def not_named(files: typing.Sequence[str]) -> typing.List[str]:
+    """Return the files after the first that the file in front of each does not name, or not any more.
+
+    An .obj file names its .mtl file, which names the picture; a .ply file names its picture.
+    """
+    for i, (file, next_file) in enumerate(zip(files, files[1:]), 1):
+        if not names(file, os.path.basename(next_file)):
+            return list(files[i:])
+    return []
+
+
+def names(path: str, name: str) -> bool:
+    """Return whether a line at the beginning of a file, if it exists, ends with a name."""
+    if not os.path.isfile(path):
+        return False
+    with open(path, "rb") as file:
+        lines = file.read(HEAD).splitlines()
+    return any(line.endswith(b" " + os.fsencode(name)) for line in lines)
 
 
 def writer_of(surface: "Surface", path: str) -> typing.Any:

@@ -70,6 +70,7 @@ class Surface:
         self._data: typing.Any = point_set(mesh)
         self._warnings = tuple(warnings)
         self._picture: typing.Tuple[typing.Optional[vtkImageData], typing.Dict[str, typing.Any]] = None, {}
+        self._picture_file: typing.Optional[str] = None
         self._second: typing.Optional[Surface] = None
         if not isinstance(self._data, vtkPolyData):
             raise TypeError(f"expected a mesh of triangles, not {self._data.GetClassName()}")
@@ -139,13 +140,22 @@ class Surface:
         return self._picture[0]
 
     @property
+    def picture_file(self) -> typing.Optional[str]:
+        """Absolute path of the file that paint() read; None if there is no picture or it came from no file."""
+        return self._picture_file
+
+    @property
     def placement(self) -> typing.Dict[str, typing.Any]:
         """Keyword arguments of paint() that placed the picture."""
         return dict(self._picture[1])
 
     def painted_as(self, other: "Surface") -> "Surface":
         """Return this surface with the picture of another surface that has the same map to the sphere."""
-        return self.paint(other.texture, **other.placement) if other.texture is not None else self
+        if other.texture is None:
+            return self
+        painted = self.paint(other.texture, **other.placement)
+        painted._picture_file = other.picture_file
+        return painted
 
     @properties_of("vtkCurvedSeamlessSurface", without=("frequency",))
     def smooth(self, number_of_points: typing.Optional[int] = None, *, progress: Progress = False,
@@ -173,9 +183,8 @@ class Surface:
         image: a PNG or JPEG file of up to 2^28 pixels, or an array of rows x columns x 3 or 4 bytes, first row
         on top. A separate process decodes files.
         area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5. Not used
-            if the surface has a border. With
-        0, the picture is laid by the surface's own map to the sphere. If that map is conformal, the picture is
-        not distorted, but long parts of the surface show few of its pixels.
+        if the surface has a border. With 0, the picture is laid by the surface's own map to the sphere. If that map
+        is conformal, the picture is not distorted, but long parts of the surface show few of its pixels.
         progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
         Raises FileNotFoundError if there is no such file, and ValueError if it is no picture or is broken. Example:
@@ -186,6 +195,7 @@ class Surface:
         placement = {**properties, "area_balance": area_balance}
         painted = self._filtered("vtkSphericalTextureMap", progress, placement)
         painted._picture = picture, placement
+        painted._picture_file = os.path.abspath(image) if isinstance(image, (str, os.PathLike)) else None
         return painted
 
     def bake(self, scan: PointsLike, *, colors: typing.Optional[npt.ArrayLike] = None,
@@ -321,13 +331,19 @@ class Surface:
         columns = [vtk_to_numpy(table.GetColumnByName(name)) for name in "XYZ"]
         return Harmonics(np.stack(columns, axis=1), Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts]))
 
-    def save(self, path: Path, *, overwrite: bool = True) -> None:
+    def save(self, path: Path, *, overwrite: typing.Optional[bool] = None) -> None:
         """Write the surface to a file: .glb, .obj, .ply, .off, .m, .gii, .html, .stl, .3mf, .vtp or .vtk.
 
-        A picture that paint() laid on the surface is written by .glb, .obj, .ply and .html. Coordinates in .3mf files
-        are millimeters; those of the surface are written as they are. The file is written
-        completely or not at all. Raises FileExistsError if there is a file and overwrite is False, OSError if
-        the file cannot be written, and ValueError for other extensions. Example:
+        A picture of paint() or bake() is written with .glb, .obj, .ply and .html. The picture of NAME.ply is the file
+        NAME.png beside it. Beside NAME.obj are NAME.mtl and NAME.png. Coordinates in .3mf files are millimeters; those
+        of the surface are written as they are. All files are written completely, or none is written.
+
+        overwrite: True to replace existing files, False to replace none. By default, the file and those that belong
+        to it are replaced. Another file NAME.png or NAME.mtl, which NAME.ply or NAME.obj does not name, is not
+        replaced unless it stays the same.
+
+        Raises FileExistsError if a file exists and is not to be replaced, OSError if a file cannot be written, and
+        ValueError for other extensions, and if NAME.png is the file that paint() read. Example:
 
             surface.save("figure.glb")
         """
@@ -357,11 +373,12 @@ class Surface:
 
     def __getstate__(self) -> typing.Dict[str, typing.Any]:
         return {"data": pickling.dumps(self._data), "texture": self.texture, "placement": self.placement,
-                "warnings": self._warnings, "second": self._second}
+                "picture_file": self._picture_file, "warnings": self._warnings, "second": self._second}
 
     def __setstate__(self, state: typing.Dict[str, typing.Any]) -> None:
         self._data = pickling.loads(state["data"])
         self._picture = None if state["texture"] is None else image_of(state["texture"]), state["placement"]
+        self._picture_file = state.get("picture_file")
         self._warnings = state["warnings"]
         self._second = state.get("second")
 

@@ -259,10 +259,10 @@ def succeeds(call, *arguments):
     return True
 
 
-def write(steps, writer, path, token=None, overwrite=True, shared=()):
-    """Write a file by a writer that has its inputs: whole, or not at all."""
+def write(steps, writer, path, token=None, overwrite=True, shared=(), files=None):
+    """Write a file by a writer that has its inputs: whole, or not at all. See whole() for the other arguments."""
     label = f"Write {os.path.basename(path)}"
-    with whole(path, token, overwrite=overwrite, shared=shared) as part:
+    with whole(path, token, files, overwrite, shared) as part:
         writer.SetFileName(part)
         try:
             steps.run(label, writer, writer.Write)
