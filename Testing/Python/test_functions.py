@@ -232,6 +232,22 @@ class TestFunctions(unittest.TestCase):
             with self.assertRaises(ValueError):
                 array[0] = 0
 
+    def test_surfaces_do_not_change_with_the_arrays_they_were_made_of(self):
+        points, faces = np.array(self.surface.points), np.array(self.surface.faces)
+        data = self.surface.polydata.NewInstance()
+        data.DeepCopy(self.surface.polydata)
+        arrays = [vtk_to_numpy(data.GetPoints().GetData()), vtk_to_numpy(data.GetPointData().GetArray("SpherePosition"))]
+        mapped, plain = cs.conformal_map((points, faces)), cs.Surface((points, faces))
+        same = [cs.conformal_map(data), cs.Surface(data), cs.Surface(data).paint(picture()),
+                cs.time_series([data]).surfaces[0]]
+        before = [[np.array(surface.points), np.array(surface.sphere)] for surface in (mapped, *same)]
+        for array in (points, *arrays):
+            array *= 1000.0
+        np.testing.assert_array_equal(plain.points, self.surface.points)
+        for surface, (old_points, old_sphere) in zip((mapped, *same), before):
+            np.testing.assert_array_equal(surface.points, old_points)
+            np.testing.assert_array_equal(surface.sphere, old_sphere)
+
     def test_pickles_and_copies(self):
         painted = self.surface.paint(picture(), field_of_view=200.0)
         for other in (pickle.loads(pickle.dumps(painted)), copy.copy(painted), copy.deepcopy(painted)):

@@ -7,7 +7,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from conformalsom.filters import updated
 from conformalsom.inputs import (
-    MeshLike, Path, PointsLike, VolumeLike, expect_several, mark_landmarks, point_set, volume_of)
+    MeshLike, Path, PointsLike, VolumeLike, expect_several, mark_landmarks, own_data, point_set, volume_of)
 from conformalsom.keywords import properties_of
 from conformalsom.reporting import Progress
 from conformalsom.surface import Array, Surface, columns_of
@@ -28,7 +28,7 @@ def learn(points: PointsLike, *, progress: Progress = False, **properties: typin
         surface = conformalsom.learn(points, number_of_neurons=5000)
     """
     network, warnings = updated("vtkConformalSOM", [points], progress, properties)
-    return Surface(network.GetOutput(), warnings=warnings)
+    return Surface.of_output(network.GetOutput(), warnings)
 
 
 @properties_of("vtkGlobalConformalMap")
@@ -36,7 +36,7 @@ def conformal_map(mesh: MeshLike, *, progress: Progress = False, **properties: t
     """Map a closed surface of genus zero to the sphere, or of genus 1 to a flat torus. Points and triangles are kept.
 
     mesh: a surface, a file, a vtkPolyData, a mesh of PyVista, trimesh or Open3D, or a pair of arrays
-    (points, triangles).
+    (points, triangles). Arrays are copied.
     progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
     Raises FileNotFoundError for a missing file, and FilterFailed if the surface has faults or several handles. A
@@ -45,8 +45,8 @@ def conformal_map(mesh: MeshLike, *, progress: Progress = False, **properties: t
 
         surface = conformalsom.conformal_map((points, triangles))
     """
-    mapped, warnings = updated("vtkGlobalConformalMap", [mesh], progress, properties)
-    return Surface(mapped.GetOutput(), warnings=warnings)
+    mapped, warnings = updated("vtkGlobalConformalMap", [own_data(mesh)], progress, properties)
+    return Surface.of_output(mapped.GetOutput(), warnings)
 
 
 @properties_of("vtkVolumeSurfacePoints")
@@ -71,7 +71,7 @@ def surface_from_volume(volume: VolumeLike, *, spacing: typing.Sequence[float] =
     points, warnings = updated("vtkVolumeSurfacePoints", [image], progress, properties, lambda data: data)
     learning = {"border": "Closed", "start": start}
     network, more = updated("vtkConformalSOM", [points.GetOutput()], progress, learning)
-    return Surface(network.GetOutput(), warnings=[*warnings, *more])
+    return Surface.of_output(network.GetOutput(), [*warnings, *more])
 
 
 class TimeSeries(typing.NamedTuple):
@@ -100,14 +100,15 @@ def time_series(surfaces: typing.Iterable[MeshLike], *, progress: Progress = Fal
 
         series = conformalsom.time_series([first, second, third], time_interval=30.0)
     """
-    algorithm, warnings = updated("vtkSphericalTimeSeries", expect_some(surfaces), progress, properties)
+    data = [own_data(surface) for surface in expect_some(surfaces)]
+    algorithm, warnings = updated("vtkSphericalTimeSeries", data, progress, properties)
     table = columns_of(algorithm.GetTable())
     steps = []
     for time in table.get("Time", ()):
         algorithm.UpdateTimeStep(time)
         step = vtkPolyData()
         step.ShallowCopy(algorithm.GetOutput())
-        steps.append(Surface(step, warnings=warnings))
+        steps.append(Surface.of_output(step, warnings))
     return TimeSeries(steps, table)
 
 
@@ -130,7 +131,7 @@ def mean_shape(surfaces: typing.Iterable[MeshLike], *,
     if landmarks is not None:
         properties["landmark_array_name"] = mark_landmarks(data, landmarks)
     template, warnings = updated("vtkSphericalTemplate", data, progress, properties)
-    return Surface(template.GetMeanSurface(), warnings=warnings)
+    return Surface.of_output(template.GetMeanSurface(), warnings)
 
 
 def expect_some(surfaces: typing.Iterable[MeshLike]) -> typing.List[MeshLike]:

@@ -107,6 +107,16 @@ def point_set(points: typing.Any) -> typing.Any:
     return cloud_of(points)
 
 
+def own_data(mesh: typing.Any) -> typing.Any:
+    """Return a mesh as point_set() does, but share no memory with what the caller may change later."""
+    data = point_set(mesh)
+    if isinstance(mesh, (str, os.PathLike)) or hasattr(mesh, "polydata"):  # surfaces do not change
+        return data
+    copy = data.NewInstance()
+    copy.DeepCopy(data)
+    return copy
+
+
 def cloud_of(points: typing.Any) -> vtkPolyData:
     """Return an array of n x 3 numbers as points of VTK."""
     array = array_of(points, "points as an array of n x 3")

@@ -17,7 +17,8 @@ from conformalsom.command import scan_colors
 from conformalsom.command.sizes import frequency_of
 from conformalsom.filters import updated
 from conformalsom.inputs import (
-    ImageLike, MeshLike, Path, PointsLike, VolumeLike, array_of, expect_several, image_of, point_set, volume_of)
+    ImageLike, MeshLike, Path, PointsLike, VolumeLike, array_of, expect_several, image_of, own_data, point_set,
+    volume_of)
 from conformalsom.keywords import expect_number, properties_of
 from conformalsom.messages import FilterFailed, heard
 from conformalsom.reporting import Progress
@@ -56,7 +57,8 @@ class Layers(typing.NamedTuple):
 class Surface:
     """A surface that is mapped to the sphere. learn(), conformal_map(), read() and mean_shape() make surfaces.
 
-    mesh: a mesh with the point array "SpherePosition": a vtkPolyData, or any input of conformal_map().
+    mesh: a mesh with the point array "SpherePosition": a vtkPolyData, or any input of conformal_map(). Its arrays are
+    copied.
 
     Arrays of a surface cannot be changed. Methods return a new surface.
 
@@ -67,13 +69,20 @@ class Surface:
     """
 
     def __init__(self, mesh: MeshLike, *, warnings: typing.Iterable[str] = ()) -> None:
-        self._data: typing.Any = point_set(mesh)
+        self._data: typing.Any = own_data(mesh)
         self._warnings = tuple(warnings)
         self._picture: typing.Tuple[typing.Optional[vtkImageData], typing.Dict[str, typing.Any]] = None, {}
         self._picture_file: typing.Optional[str] = None
         self._second: typing.Optional[Surface] = None
         if not isinstance(self._data, vtkPolyData):
             raise TypeError(f"expected a mesh of triangles, not {self._data.GetClassName()}")
+
+    @classmethod
+    def of_output(cls, output: vtkPolyData, warnings: typing.Iterable[str]) -> "Surface":
+        """Return the output of a filter as a surface, without a copy of its arrays."""
+        surface = cls(vtkPolyData(), warnings=warnings)
+        surface._data = point_set(output)
+        return surface
 
     @property
     def polydata(self) -> vtkPolyData:
@@ -257,7 +266,8 @@ class Surface:
         """
         algorithm, texts = updated("vtkSphericalRegistration", [self], progress, {**properties, "fixed": fixed},
                                    reworded={"on output port 1": "`second` of the result"})
-        registered, second = (Surface(algorithm.GetOutput(port), warnings=[*self._warnings, *texts]) for port in (0, 1))
+        outputs = [algorithm.GetOutput(port) for port in (0, 1)]
+        registered, second = (Surface.of_output(output, [*self._warnings, *texts]) for output in outputs)
         registered._second = second if len(second) else None
         return registered
 
@@ -290,7 +300,7 @@ class Surface:
             else:
                 algorithm.SetPoseData(data)
                 texts = run(algorithm, progress)
-            shapes.append(Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts]))
+            shapes.append(Surface.of_output(algorithm.GetOutput(), [*self._warnings, *texts]))
         return shapes
 
     @properties_of("vtkSurfaceLayers", without=("volume",))
@@ -311,7 +321,7 @@ class Surface:
                                    lambda data: data if data is image else point_set(data))
         stack = algorithm.GetOutputDataObject(1)
         maps = constant(stack.GetPointData().GetScalars()).reshape(stack.GetDimensions()[::-1])[:, ::-1]
-        surface = Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts])
+        surface = Surface.of_output(algorithm.GetOutput(), [*self._warnings, *texts])
         depths = surface.polydata.GetFieldData().GetArray("LayerDepths")
         return Layers(maps, constant(depths), stack.GetSpacing()[:2], surface)
 
@@ -329,7 +339,7 @@ class Surface:
         algorithm, texts = updated("vtkSurfaceHarmonics", [self], progress, {**properties, "degree": degree})
         table = algorithm.GetCoefficients()
         columns = [vtk_to_numpy(table.GetColumnByName(name)) for name in "XYZ"]
-        return Harmonics(np.stack(columns, axis=1), Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts]))
+        return Harmonics(np.stack(columns, axis=1), Surface.of_output(algorithm.GetOutput(), [*self._warnings, *texts]))
 
     def save(self, path: Path, *, overwrite: typing.Optional[bool] = None) -> None:
         """Write the surface to a file: .glb, .obj, .ply, .off, .m, .gii, .html, .stl, .3mf, .vtp or .vtk.
@@ -385,7 +395,7 @@ class Surface:
     def _filtered(self, class_name: str, progress: Progress, properties: typing.Mapping[str, typing.Any]) -> "Surface":
         """Run a filter on this surface; return its first output as a surface."""
         algorithm, texts = updated(class_name, [self], progress, properties)
-        return Surface(algorithm.GetOutput(), warnings=[*self._warnings, *texts])
+        return Surface.of_output(algorithm.GetOutput(), [*self._warnings, *texts])
 
 
 def constant(array: typing.Any) -> Array:
