@@ -20,7 +20,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import conformalsom as cs
 from conformalsom import pages, reporting
-from conformalsom.inputs import as_floats, cloud_of
+from conformalsom.inputs import as_floats, cloud_of, volume_of
 
 AXES = (1.0, 1.4, 0.8)
 # Learning that would last for hours.
@@ -31,6 +31,11 @@ def cloud(size=4000, seed=1):
     """Points of an ellipsoid."""
     directions = np.random.default_rng(seed).normal(size=(size, 3))
     return directions / np.linalg.norm(directions, axis=1, keepdims=True) * AXES
+
+
+def ball():
+    """A volume with a ball of a radius of 7 voxels."""
+    return np.linalg.norm(np.stack(np.mgrid[0:20, 0:20, 0:20]) - 9.5, axis=0) < 7.0
 
 
 def learned(**properties):
@@ -304,10 +309,8 @@ class TestFunctions(unittest.TestCase):
             self.expect_same(learned(fit_iterations=1, generate_stages=value), rough)
 
     def test_volumes_of_long_doubles(self):
-        place = np.stack(np.mgrid[0:20, 0:20, 0:20]) - 9.5
-        volume = (np.linalg.norm(place, axis=0) < 7.0).astype(np.longdouble)
         few = {"spacing": np.array((1.0, 1.0, 1.0), np.float32)}
-        self.assertGreater(len(cs.surface_from_volume(volume, **few)), 100)
+        self.assertGreater(len(cs.surface_from_volume(ball().astype(np.longdouble), **few)), 100)
 
     def test_errors_are_exceptions_with_the_filters_message(self):
         with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalSOM: there are no points"):
@@ -347,6 +350,45 @@ class TestFunctions(unittest.TestCase):
             warnings.simplefilter("error", cs.FilterWarning)
             with self.assertRaisesRegex(cs.FilterWarning, "coplanar"):
                 cs.learn(cloud() * (1, 1, 0), number_of_neurons=162)
+
+    def test_surfaces_keep_the_warnings_of_readers_and_inputs(self):
+        rows = np.vstack([np.hstack([cloud(), np.full((4000, 3), 99)]), [np.nan, 0, 0, 9, 9, 9]])
+        np.savetxt(self.path("nan.xyz"), rows, fmt="%.6g")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", cs.FilterWarning)
+            scanned = cs.learn(self.path("nan.xyz"), number_of_neurons=500)
+            told = scanned.warnings
+            self.assertRegex(told[0], "vtkTextCloudReader: .*not finite")
+            few = {"frequency": 8, "mean_frequency": 12, "maximum_number_of_rounds": 1}
+            posed = cs.Surface(self.surface, warnings=told)
+            for name, surface in (("Surface", cs.Surface(scanned)), ("conformal_map", cs.conformal_map(scanned)),
+                                  ("bake", self.surface.bake(self.path("nan.xyz"), texture_size=16)),
+                                  ("register", self.surface.register(scanned, frequency=8)),
+                                  ("mean_shape", cs.mean_shape([scanned, scanned], **few)),
+                                  ("time_series", cs.time_series([scanned, self.surface]).surfaces[1]),
+                                  ("posed", self.surface.posed(scanned, [scanned.points])[0]),
+                                  ("posed", self.surface.posed(self.surface, [posed])[0])):
+                with self.subTest(name):
+                    self.assertIn(told[0], surface.warnings)
+                    self.assertEqual(len(set(surface.warnings)), len(surface.warnings))
+        self.assertEqual(self.surface.warnings, [])
+
+    def test_surfaces_keep_the_warnings_of_readers_of_volumes(self):
+        values = ball().astype(np.float32)
+        values[0, 0, 0] = 12345.0
+        writer = cs.vtkTIFFStackWriter()
+        writer.SetInputData(volume_of(values))
+        writer.SetFileName(self.path("nan.tif"))
+        writer.Write()
+        with open(self.path("nan.tif"), "rb") as file:
+            data = file.read()
+        with open(self.path("nan.tif"), "wb") as file:
+            file.write(data.replace(values[0, 0, 0].tobytes(), np.float32(np.nan).tobytes()))
+        told = "vtkTIFFStackReader: 1 values that are not finite were replaced by 0"
+        with self.assertWarnsRegex(cs.FilterWarning, told):
+            surface = cs.surface_from_volume(self.path("nan.tif"))
+            layers = cs.surface_from_volume(ball()).layers(self.path("nan.tif"), image_size=(8, 8))
+        self.assertEqual([text for text in (*surface.warnings, *layers.surface.warnings) if text == told], 2 * [told])
 
     def test_nothing_is_printed(self):
         script = textwrap.dedent("""\

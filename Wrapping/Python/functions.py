@@ -45,8 +45,9 @@ def conformal_map(mesh: MeshLike, *, progress: Progress = False, **properties: t
 
         surface = conformalsom.conformal_map((points, triangles))
     """
-    mapped, warnings = updated("vtkGlobalConformalMap", [own_data(mesh)], progress, properties)
-    return Surface.of_output(mapped.GetOutput(), warnings)
+    texts: typing.List[str] = []
+    mapped, warnings = updated("vtkGlobalConformalMap", [own_data(mesh, texts)], progress, properties)
+    return Surface.of_output(mapped.GetOutput(), [*texts, *warnings])
 
 
 @properties_of("vtkVolumeSurfacePoints")
@@ -67,11 +68,12 @@ def surface_from_volume(volume: VolumeLike, *, spacing: typing.Sequence[float] =
 
         surface = conformalsom.surface_from_volume(volume, spacing=(0.3, 0.3, 1.0))
     """
-    image = volume_of(volume, spacing)
-    points, warnings = updated("vtkVolumeSurfacePoints", [image], progress, properties, lambda data: data)
+    texts: typing.List[str] = []
+    image = volume_of(volume, spacing, texts)
+    points, warnings = updated("vtkVolumeSurfacePoints", [image], progress, properties, lambda data, _: data)
     learning = {"border": "Closed", "start": start}
     network, more = updated("vtkConformalSOM", [points.GetOutput()], progress, learning)
-    return Surface.of_output(network.GetOutput(), [*warnings, *more])
+    return Surface.of_output(network.GetOutput(), [*texts, *warnings, *more])
 
 
 class TimeSeries(typing.NamedTuple):
@@ -100,7 +102,8 @@ def time_series(surfaces: typing.Iterable[MeshLike], *, progress: Progress = Fal
 
         series = conformalsom.time_series([first, second, third], time_interval=30.0)
     """
-    data = [own_data(surface) for surface in expect_some(surfaces)]
+    texts: typing.List[str] = []
+    data = [own_data(surface, texts) for surface in expect_some(surfaces)]
     algorithm, warnings = updated("vtkSphericalTimeSeries", data, progress, properties)
     table = columns_of(algorithm.GetTable())
     steps = []
@@ -108,7 +111,7 @@ def time_series(surfaces: typing.Iterable[MeshLike], *, progress: Progress = Fal
         algorithm.UpdateTimeStep(time)
         step = vtkPolyData()
         step.ShallowCopy(algorithm.GetOutput())
-        steps.append(Surface.of_output(step, warnings))
+        steps.append(Surface.of_output(step, [*texts, *warnings]))
     return TimeSeries(steps, table)
 
 
@@ -127,11 +130,12 @@ def mean_shape(surfaces: typing.Iterable[MeshLike], *,
 
         mean = conformalsom.mean_shape([first, second, third])
     """
-    data = [point_set(surface) for surface in expect_some(surfaces)]
+    texts: typing.List[str] = []
+    data = [point_set(surface, texts) for surface in expect_some(surfaces)]
     if landmarks is not None:
         properties["landmark_array_name"] = mark_landmarks(data, landmarks)
     template, warnings = updated("vtkSphericalTemplate", data, progress, properties)
-    return Surface.of_output(template.GetMeanSurface(), warnings)
+    return Surface.of_output(template.GetMeanSurface(), [*texts, *warnings])
 
 
 def expect_some(surfaces: typing.Iterable[MeshLike]) -> typing.List[MeshLike]:

@@ -46,6 +46,7 @@ MeshLike = typing.Union[HasPolyData, IsPointSet, HasVertices, Path,
                         typing.Tuple["npt.NDArray[typing.Any]", "npt.NDArray[typing.Any]"]]
 PointsLike = typing.Union["npt.NDArray[typing.Any]", Numbers, HasPoints, MeshLike]
 ImageLike = typing.Union[Path, "npt.NDArray[np.uint8]"]
+Texts = typing.Optional[typing.List[str]]
 VolumeLike = typing.Union[Path, vtkImageData, "npt.NDArray[typing.Any]"]
 
 
@@ -84,14 +85,21 @@ def expect_several(surfaces: typing.Any, items: str = "surfaces") -> None:
         raise TypeError(f"expected a list of {items}, not {type(surfaces).__name__}")
 
 
-def point_set(points: typing.Any) -> typing.Any:
-    """Return points, or a mesh with its triangles, as vtkPointSet.
+def keep(texts: Texts, more: typing.Iterable[str]) -> None:
+    """Add texts to a list, if there is one."""
+    if texts is not None:
+        texts.extend(more)
+
+
+def point_set(points: typing.Any, texts: Texts = None) -> typing.Any:
+    """Return points, or a mesh with its triangles, as vtkPointSet; add the warnings of a file or a surface to texts.
 
     Arrays of 32 or 64 bit floats are not copied if they are contiguous.
     """
     if isinstance(points, (str, os.PathLike)):
-        return read(points)
+        return read(points, texts)
     if hasattr(points, "polydata"):
+        keep(texts, getattr(points, "warnings", ()))
         return points.polydata
     if hasattr(points, "GetPoints") and hasattr(points, "ShallowCopy"):
         copy = points.NewInstance()  # so that several threads can use one data set
@@ -107,9 +115,9 @@ def point_set(points: typing.Any) -> typing.Any:
     return cloud_of(points)
 
 
-def own_data(mesh: typing.Any) -> typing.Any:
+def own_data(mesh: typing.Any, texts: Texts = None) -> typing.Any:
     """Return a mesh as point_set() does, but share no memory with what the caller may change later."""
-    data = point_set(mesh)
+    data = point_set(mesh, texts)
     if isinstance(mesh, (str, os.PathLike)) or hasattr(mesh, "polydata"):  # surfaces do not change
         return data
     copy = data.NewInstance()
@@ -190,8 +198,8 @@ def mark_landmarks(surfaces: typing.List[typing.Any], landmarks: typing.Sequence
     return name
 
 
-def read(path: Path) -> typing.Any:
-    """Read a scan or a mesh; the reader is chosen by the file's content and extension.
+def read(path: Path, texts: Texts = None) -> typing.Any:
+    """Read a scan or a mesh, and add the reader's warnings to texts; content and extension select the reader.
 
     Raises FileNotFoundError if there is no such file, and FilterFailed or ValueError for a file that cannot be
     read.
@@ -205,13 +213,14 @@ def read(path: Path) -> typing.Any:
     reader.SetFileName(name)
     quiet_parser(reader)
     try:
-        run(reader)
+        warnings = run(reader)
     except FilterFailed as error:
         if os.path.exists(name):
             raise
         raise missing(name, str(error)) from None
     if isinstance(reader, vtkSTLReader):
         scan_files.check_stl(name)
+    keep(texts, warnings)
     return reader.GetOutputDataObject(0)
 
 
@@ -243,14 +252,15 @@ def image_of(image: typing.Any) -> typing.Any:
     return textures.image_of(np.ascontiguousarray(pixels[::-1]))
 
 
-def volume_of(volume: typing.Any, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0)) -> vtkImageData:
-    """Return a volume as vtkImageData.
+def volume_of(volume: typing.Any, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0),
+              texts: Texts = None) -> vtkImageData:
+    """Return a volume as vtkImageData, and add the warnings of a file to texts.
 
     The volume is a file, a vtkImageData, or an array of slices x rows x columns, or slices x rows x columns x
     channels. spacing is that of an array, along x (columns), y (rows) and z (slices).
     """
     if isinstance(volume, (str, os.PathLike)):
-        return read_volume(os.fspath(volume))
+        return read_volume(os.fspath(volume), texts)
     if hasattr(volume, "GetDimensions") and hasattr(volume, "ShallowCopy"):
         copy = volume.NewInstance()  # so that several threads can use one data set
         copy.ShallowCopy(volume)
@@ -278,8 +288,10 @@ def volume_of(volume: typing.Any, spacing: typing.Sequence[float] = (1.0, 1.0, 1
     return image
 
 
-def read_volume(name: str) -> vtkImageData:
-    """Read a volume; the extension selects the reader. Of a TIFF stack with time steps, the first is read.
+def read_volume(name: str, texts: Texts = None) -> vtkImageData:
+    """Read a volume, and add the reader's warnings to texts; the extension selects the reader.
+
+    Of a TIFF stack with time steps, the first is read.
 
     Raises FileNotFoundError if there is no such file, and FilterFailed or ValueError for a file that cannot be
     read.
@@ -289,7 +301,7 @@ def read_volume(name: str) -> vtkImageData:
         raise missing(name, os.strerror(errno.ENOENT))
     volumes.expect_header(name, reader)
     quiet_parser(reader)
-    run(reader)
+    keep(texts, run(reader))
     volumes.expect_one_volume(name, reader)
     volumes.expect_whole(name, reader)
     return reader.GetOutput()

@@ -69,8 +69,9 @@ class Surface:
     """
 
     def __init__(self, mesh: MeshLike, *, warnings: typing.Iterable[str] = ()) -> None:
-        self._data: typing.Any = own_data(mesh)
-        self._warnings = tuple(warnings)
+        texts: typing.List[str] = []
+        self._data: typing.Any = own_data(mesh, texts)
+        self._warnings = unique([*texts, *warnings])
         self._picture: typing.Tuple[typing.Optional[vtkImageData], typing.Dict[str, typing.Any]] = None, {}
         self._picture_file: typing.Optional[str] = None
         self._second: typing.Optional[Surface] = None
@@ -127,7 +128,10 @@ class Surface:
 
     @property
     def warnings(self) -> typing.List[str]:
-        """Warnings of all filters that made this surface, beginning with the name of the filter."""
+        """Warnings of all readers and filters that made this surface and its inputs, each text once.
+
+        A text begins with the name of the class.
+        """
         return list(self._warnings)
 
     @property
@@ -225,7 +229,8 @@ class Surface:
 
             surface.bake("scan.ply").save("figure.glb")
         """
-        points = point_set(scan)
+        texts: typing.List[str] = []
+        points = point_set(scan, texts)
         found = scan_colors.colors_of(points) if colors is None else colors_in(colors, points.GetNumberOfPoints())
         if found is None:
             raise ValueError("the scan has no colors: pass an array of n x 3 bytes as colors")
@@ -245,8 +250,9 @@ class Surface:
                 image.FitImageSize()
             if messages.errors:
                 raise FilterFailed(f"{image.GetClassName()}: {messages.errors[0]}")
-        run(image, progress)
+        texts += run(image, progress)
         painted._picture = image.GetOutput(), placement
+        painted._warnings = unique([*painted._warnings, *texts])
         return painted
 
     @properties_of("vtkSphericalRegistration", without=("fixed",))
@@ -266,8 +272,7 @@ class Surface:
         """
         algorithm, texts = updated("vtkSphericalRegistration", [self], progress, {**properties, "fixed": fixed},
                                    reworded={"on output port 1": "`second` of the result"})
-        outputs = [algorithm.GetOutput(port) for port in (0, 1)]
-        registered, second = (Surface.of_output(output, [*self._warnings, *texts]) for output in outputs)
+        registered, second = (Surface.of_output(algorithm.GetOutput(port), texts) for port in (0, 1))
         registered._second = second if len(second) else None
         return registered
 
@@ -285,22 +290,24 @@ class Surface:
             happy, sad = face.posed(other.register(face), [happy_points, sad_points])
         """
         expect_several(poses, "poses")
-        rest, shapes = Surface(source).polydata, []
+        rest, shapes = Surface(source), []
         algorithm: typing.Any = None
         for pose in poses:
-            data = point_set(pose)
+            read: typing.List[str] = []
+            data = point_set(pose, read)
             if data.GetNumberOfCells() == 0 or not isinstance(data, vtkPolyData):
                 points, data = data.GetPoints(), vtkPolyData()
                 data.SetPoints(points)
-                data.SetPolys(rest.GetPolys())
-                data.SetStrips(rest.GetStrips())
+                data.SetPolys(rest.polydata.GetPolys())
+                data.SetStrips(rest.polydata.GetStrips())
             if algorithm is None:
-                algorithm, texts = updated("vtkDeformationTransfer", [self], progress,
+                algorithm, found = updated("vtkDeformationTransfer", [self], progress,
                                            {**properties, "source": rest, "pose": data})
             else:
                 algorithm.SetPoseData(data)
-                texts = run(algorithm, progress)
-            shapes.append(Surface.of_output(algorithm.GetOutput(), [*self._warnings, *texts]))
+                found = run(algorithm, progress)
+            texts = [*self._warnings, *rest.warnings, *read, *found]
+            shapes.append(Surface.of_output(algorithm.GetOutput(), texts))
         return shapes
 
     @properties_of("vtkSurfaceLayers", without=("volume",))
@@ -316,12 +323,13 @@ class Surface:
 
             maps = surface.layers(volume, depth_range=(-10, 5), projection="Mercator", image_size=(800, 800)).maps
         """
-        image = volume_of(volume, spacing)
-        algorithm, texts = updated("vtkSurfaceLayers", [self], progress, {**properties, "volume": image},
-                                   lambda data: data if data is image else point_set(data))
+        texts: typing.List[str] = []
+        image = volume_of(volume, spacing, texts)
+        algorithm, more = updated("vtkSurfaceLayers", [self], progress, {**properties, "volume": image},
+                                  lambda data, found: data if data is image else point_set(data, found))
         stack = algorithm.GetOutputDataObject(1)
         maps = constant(stack.GetPointData().GetScalars()).reshape(stack.GetDimensions()[::-1])[:, ::-1]
-        surface = Surface.of_output(algorithm.GetOutput(), [*self._warnings, *texts])
+        surface = Surface.of_output(algorithm.GetOutput(), [*texts, *more])
         depths = surface.polydata.GetFieldData().GetArray("LayerDepths")
         return Layers(maps, constant(depths), stack.GetSpacing()[:2], surface)
 
@@ -339,7 +347,7 @@ class Surface:
         algorithm, texts = updated("vtkSurfaceHarmonics", [self], progress, {**properties, "degree": degree})
         table = algorithm.GetCoefficients()
         columns = [vtk_to_numpy(table.GetColumnByName(name)) for name in "XYZ"]
-        return Harmonics(np.stack(columns, axis=1), Surface.of_output(algorithm.GetOutput(), [*self._warnings, *texts]))
+        return Harmonics(np.stack(columns, axis=1), Surface.of_output(algorithm.GetOutput(), texts))
 
     def save(self, path: Path, *, overwrite: typing.Optional[bool] = None) -> None:
         """Write the surface to a file: .glb, .obj, .ply, .off, .m, .gii, .html, .stl, .3mf, .vtp or .vtk.
@@ -395,7 +403,12 @@ class Surface:
     def _filtered(self, class_name: str, progress: Progress, properties: typing.Mapping[str, typing.Any]) -> "Surface":
         """Run a filter on this surface; return its first output as a surface."""
         algorithm, texts = updated(class_name, [self], progress, properties)
-        return Surface.of_output(algorithm.GetOutput(), [*self._warnings, *texts])
+        return Surface.of_output(algorithm.GetOutput(), texts)
+
+
+def unique(texts: typing.Iterable[str]) -> typing.Tuple[str, ...]:
+    """Return texts without repetitions."""
+    return tuple(dict.fromkeys(texts))
 
 
 def constant(array: typing.Any) -> Array:
