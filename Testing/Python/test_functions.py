@@ -241,12 +241,12 @@ class TestFunctions(unittest.TestCase):
         points, faces = np.array(self.surface.points), np.array(self.surface.faces)
         data = self.surface.polydata.NewInstance()
         data.DeepCopy(self.surface.polydata)
-        arrays = [vtk_to_numpy(data.GetPoints().GetData()), vtk_to_numpy(data.GetPointData().GetArray("SpherePosition"))]
+        arrays = [data.GetPoints().GetData(), data.GetPointData().GetArray("SpherePosition")]
         mapped, plain = cs.conformal_map((points, faces)), cs.Surface((points, faces))
         same = [cs.conformal_map(data), cs.Surface(data), cs.Surface(data).paint(picture()),
                 cs.time_series([data]).surfaces[0]]
         before = [[np.array(surface.points), np.array(surface.sphere)] for surface in (mapped, *same)]
-        for array in (points, *arrays):
+        for array in (points, *map(vtk_to_numpy, arrays)):
             array *= 1000.0
         np.testing.assert_array_equal(plain.points, self.surface.points)
         for surface, (old_points, old_sphere) in zip((mapped, *same), before):
@@ -311,6 +311,12 @@ class TestFunctions(unittest.TestCase):
     def test_volumes_of_long_doubles(self):
         few = {"spacing": np.array((1.0, 1.0, 1.0), np.float32)}
         self.assertGreater(len(cs.surface_from_volume(ball().astype(np.longdouble), **few)), 100)
+
+    def test_spacing_is_of_arrays_only(self):
+        for volume, what in ((self.path("v.mha"), "a file"), (volume_of(ball()), "a vtkImageData")):
+            for call in (cs.surface_from_volume, self.surface.layers):
+                with self.assertRaisesRegex(ValueError, f"spacing is .1, 1, 1., but {what} has a spacing of its own"):
+                    call(volume, spacing=(1, 1, 1))
 
     def test_errors_are_exceptions_with_the_filters_message(self):
         with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalSOM: there are no points"):

@@ -51,7 +51,7 @@ def conformal_map(mesh: MeshLike, *, progress: Progress = False, **properties: t
 
 
 @properties_of("vtkVolumeSurfacePoints")
-def surface_from_volume(volume: VolumeLike, *, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0),
+def surface_from_volume(volume: VolumeLike, *, spacing: typing.Optional[typing.Sequence[float]] = None,
                         start: typing.Optional[MeshLike] = None, progress: Progress = False,
                         **properties: typing.Any) -> Surface:
     """Learn a closed surface with a map to the sphere from the outside of an object in a volume.
@@ -59,7 +59,8 @@ def surface_from_volume(volume: VolumeLike, *, spacing: typing.Sequence[float] =
     volume: a file (TIFF stack of ImageJ, NIfTI, MetaImage, NRRD, VTI), a vtkImageData, or an array of slices x rows
     x columns, or slices x rows x columns x channels.
     spacing: of an array: size of a voxel along x (columns), y (rows) and z (slices). The coordinates of the surface
-    are in its unit, and the first voxel is at (0, 0, 0). Default is (1, 1, 1).
+    are in its unit, and the first voxel is at (0, 0, 0). Default is (1, 1, 1). Files and vtkImageData have a spacing of
+    their own, and with spacing they raise ValueError.
     start: surface from which learning starts, such as that of the frame before; default is none.
     progress: True for a bar, or a function that gets the completed fraction in [0, 1], once for each of two filters.
 

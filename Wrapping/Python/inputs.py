@@ -252,16 +252,21 @@ def image_of(image: typing.Any) -> typing.Any:
     return textures.image_of(np.ascontiguousarray(pixels[::-1]))
 
 
-def volume_of(volume: typing.Any, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0),
+def volume_of(volume: typing.Any, spacing: typing.Optional[typing.Sequence[float]] = None,
               texts: Texts = None) -> vtkImageData:
     """Return a volume as vtkImageData, and add the warnings of a file to texts.
 
     The volume is a file, a vtkImageData, or an array of slices x rows x columns, or slices x rows x columns x
-    channels. spacing is that of an array, along x (columns), y (rows) and z (slices).
+    channels. spacing is that of an array, along x (columns), y (rows) and z (slices), by default (1, 1, 1).
     """
-    if isinstance(volume, (str, os.PathLike)):
+    is_file = isinstance(volume, (str, os.PathLike))
+    is_image = hasattr(volume, "GetDimensions") and hasattr(volume, "ShallowCopy")
+    if spacing is not None and (is_file or is_image):
+        raise ValueError(f"spacing is {spacing!r}, but {'a file' if is_file else 'a vtkImageData'} has a spacing of "
+                         "its own: leave spacing out, or pass the voxels as an array")
+    if is_file:
         return read_volume(os.fspath(volume), texts)
-    if hasattr(volume, "GetDimensions") and hasattr(volume, "ShallowCopy"):
+    if is_image:
         copy = volume.NewInstance()  # so that several threads can use one data set
         copy.ShallowCopy(volume)
         return copy
@@ -270,7 +275,7 @@ def volume_of(volume: typing.Any, spacing: typing.Sequence[float] = (1.0, 1.0, 1
         raise TypeError(f"expected a volume, such as an array of slices x rows x columns, not {kind_of(volume, values)}")
     if values.ndim not in (3, 4) or values.size == 0:
         raise ValueError(f"expected a volume as an array of slices x rows x columns, not of the shape {values.shape}")
-    lengths = array_of(spacing, "spacing as 3 positive numbers")
+    lengths = array_of((1.0, 1.0, 1.0) if spacing is None else spacing, "spacing as 3 positive numbers")
     if lengths.shape != (3,) or lengths.dtype.kind not in "fiu" or not (np.isfinite(lengths) & (lengths > 0.0)).all():
         raise ValueError(f"spacing is {spacing!r}, but must be 3 positive numbers")
     values = values if values.ndim == 4 else values[..., None]

@@ -311,12 +311,13 @@ class Surface:
         return shapes
 
     @properties_of("vtkSurfaceLayers", without=("volume",))
-    def layers(self, volume: VolumeLike, *, spacing: typing.Sequence[float] = (1.0, 1.0, 1.0),
+    def layers(self, volume: VolumeLike, *, spacing: typing.Optional[typing.Sequence[float]] = None,
                progress: Progress = False, **properties: typing.Any) -> Layers:
         """Sample a volume in layers below and above the surface, and unroll the layers to maps.
 
         volume: any input of surface_from_volume(), in the coordinates of the surface.
         spacing: of an array: size of a voxel along x (columns), y (rows) and z (slices). Default is (1, 1, 1).
+        Files and vtkImageData have a spacing of their own, and with spacing they raise ValueError.
         progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
         Raises FilterFailed if the surface has no valid map to the sphere. Example:
