@@ -101,17 +101,21 @@ class TestPictures(unittest.TestCase):
         image.SetDimensions(16, 16, 1)
         values = np.arange(256 * channels, dtype=np.uint8).reshape(256, channels)
         image.GetPointData().SetScalars(numpy_to_vtk(values, deep=True))
+        data = bytearray(self.written(image))
+        if size:
+            place = data.index(b"\xff\xc0") + 5
+            data[place:place + 4] = struct.pack(">HH", *size)
+        return bytes(data)
+
+    def written(self, image):
+        """The bytes of a JPEG file."""
         writer = vtkJPEGWriter()
         writer.ProgressiveOff()
         writer.SetInputData(image)
         writer.SetFileName(self.file(b"", "written.jpg"))
         writer.Write()
         with open(writer.GetFileName(), "rb") as file:
-            data = bytearray(file.read())
-        if size:
-            place = data.index(b"\xff\xc0") + 5
-            data[place:place + 4] = struct.pack(">HH", *size)
-        return bytes(data)
+            return file.read()
 
     def test_bombs_are_refused_for_their_number_of_pixels(self):
         limit = f"there can be 1 to {textures.MAXIMUM_PIXELS:,}"
@@ -149,6 +153,39 @@ class TestPictures(unittest.TestCase):
     def test_cmyk_is_refused(self):
         """A JPEG file of four components has no opacity."""
         self.refuses("CMYK", base64.b64decode(INKS), "a.jpg")
+
+    def test_jpeg_files_are_turned_as_their_exif_data_say(self):
+        image = vtkImageData()
+        image.SetDimensions(24, 16, 1)
+        stored = np.zeros((16, 24), np.uint8)  # highest row first
+        stored[:8, :8], stored[:8, 8:], stored[8:, :8] = 240, 160, 80
+        image.GetPointData().SetScalars(numpy_to_vtk(stored[::-1].ravel(), deep=True))
+        data = self.written(image)
+        # What is at the top and at the left in the file is shown at the sides that EXIF's specification lists.
+        shown = {1: stored, 2: np.fliplr(stored), 3: np.rot90(stored, 2), 4: np.flipud(stored), 5: stored.T,
+                 6: np.rot90(stored, -1), 7: np.rot90(stored, 2).T, 8: np.rot90(stored)}
+
+        def read(exif):
+            segment = b"\xff\xe1" + struct.pack(">H", len(exif) + 8) + b"Exif\0\0" + exif
+            path = self.file(data[:2] + b"\xff\xfe\0\4hi" + segment + data[2:], "a.jpg")
+            return textures.read_picture(path)[::-1, :, 0].astype(int)
+
+        def exif(order, orientation):
+            """Data with two tags, of which the second is the orientation."""
+            head = {"<": b"II*\0", ">": b"MM\0*"}[order]
+            return head + struct.pack(order + "IHHHIIHHIHHI", 8, 2, 0x0100, 4, 1, 24, 0x0112, 3, 1, orientation, 0, 0)
+
+        for order in "<>":
+            for orientation, expected in shown.items():
+                with self.subTest(order + str(orientation)):
+                    np.testing.assert_allclose(read(exif(order, orientation)), expected, atol=3)
+        good = exif("<", 6)
+        for what, damaged in (("no header", b"JJ*\0" + good[4:]), ("cut short", good[:24]), ("0", exif("<", 0)),
+                              ("9", exif(">", 9)), ("far away", good[:4] + b"\xff\xff\xff\xff" + good[8:]),
+                              ("a long", good.replace(b"\x12\x01\3", b"\x12\x01\4")), ("nothing", b"")):
+            with self.subTest(what):
+                self.assertNotEqual(damaged, good)
+                np.testing.assert_allclose(read(damaged), stored, atol=3)
 
     def test_interpreter_of_a_program_that_python_is_a_part_of(self):
         with mock.patch.object(sys, "executable", "/usr/bin/pvpython"):

@@ -194,7 +194,7 @@ class Surface:
         """Lay a picture on the surface. Its middle faces view_direction, and its top view_up.
 
         image: a PNG or JPEG file of up to 2^28 pixels, or an array of rows x columns x 3 or 4 bytes, first row
-        on top. A separate process decodes files.
+        on top. A separate process decodes files, and turns JPEG files as their EXIF orientation says.
         area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5. Not used
         if the surface has a border. With 0, the picture is laid by the surface's own map to the sphere. If that map
         is conformal, the picture is not distorted, but long parts of the surface show few of its pixels.

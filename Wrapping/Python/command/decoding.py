@@ -7,6 +7,7 @@ row first. Imports nothing of the package, which takes longer to load than a pic
 """
 import json
 import os
+import struct
 import sys
 
 import numpy as np
@@ -29,6 +30,12 @@ SECONDS = 5
 PIXELS_PER_SECOND = 2**23  # beyond these seconds; real pictures are decoded several times faster
 MAXIMUM_LOG = 2**16  # bytes on the standard error
 BLOCK = 2**22  # pixels that are converted at once
+
+
+ORIENTATION, SHORT = 0x0112, 3  # a tag of EXIF, and the type of its value
+# For each orientation from 1 to 8: whether rows and columns are exchanged, and then rows and columns are reversed.
+TURNS = [(False, False, False), (False, False, True), (False, True, True), (False, True, False),
+         (True, False, False), (True, False, True), (True, True, True), (True, True, False)]
 
 
 class Refused(Exception):
@@ -92,8 +99,51 @@ def updated(reader, update):
         raise Refused("the picture is broken" + "".join(f": {text}" for text in own[:1]))
 
 
+def exif_of(path):
+    """The EXIF data of a JPEG file, which begin with a header of TIFF; empty if there are none."""
+    with open(path, "rb") as file:
+        file.seek(2)
+        while True:
+            start = file.read(4)
+            if len(start) < 4:
+                return b""
+            marker, length = struct.unpack(">HH", start)
+            if not (0xFFE0 <= marker <= 0xFFEF or marker == 0xFFFE) or length < 2:  # segments of programs, comments
+                return b""
+            data = file.read(length - 2)
+            if marker == 0xFFE1 and data.startswith(b"Exif\0\0"):
+                return data[6:]
+
+
+def orientation_of(exif):
+    """The orientation, in [1, 8], of EXIF data; 1 if there is none or if the data are damaged."""
+    order = {b"II*\0": "<", b"MM\0*": ">"}.get(exif[:4])
+    if order is None:
+        return 1
+    try:
+        place, = struct.unpack_from(order + "I", exif, 4)
+        count, = struct.unpack_from(order + "H", exif, place)
+        for i in range(count):
+            entry = struct.unpack_from(order + "HHIH", exif, place + 2 + 12 * i)
+            if entry[:3] == (ORIENTATION, SHORT, 1):
+                return entry[3] if 1 <= entry[3] <= len(TURNS) else 1
+    except struct.error:  # the data end early
+        pass
+    return 1
+
+
+def upright(columns, rows, values, orientation):
+    """Columns, rows and values of a picture, the lowest row first, after it is turned as its orientation says."""
+    exchanged, rows_reversed, columns_reversed = TURNS[orientation - 1]
+    pixels = values.reshape(rows, columns, -1)[::-1]  # the highest row first, as in EXIF
+    if exchanged:
+        pixels = pixels.swapaxes(0, 1)
+    pixels = pixels[::-1 if rows_reversed else 1, ::-1 if columns_reversed else 1][::-1]
+    return pixels.shape[1], pixels.shape[0], pixels.reshape(columns * rows, -1)
+
+
 def pixels_of(path):
-    """Columns, rows, and an array of #pixels by 1 to 4 numbers."""
+    """Columns, rows, and an array of #pixels by 1 to 4 numbers; a JPEG file is turned as its EXIF data say."""
     kind = READERS[os.path.splitext(path)[1].lower()]
     reader = kind()
     name = "JPEG" if kind is vtkJPEGReader else "PNG"
@@ -114,7 +164,8 @@ def pixels_of(path):
                       "save it as RGB of 8 bits")
     if kind is vtkJPEGReader and values.shape[1] == 4:  # a JPEG file has no opacity
         raise Refused("a JPEG file of the four inks CMYK, whose colors depend on a printer; save it as RGB")
-    return columns, rows, values
+    orientation = orientation_of(exif_of(path)) if kind is vtkJPEGReader else 1
+    return upright(columns, rows, values, orientation)
 
 
 def main(path):
