@@ -124,6 +124,16 @@ class TestFunctions(unittest.TestCase):
         self.assertEqual((coefficients.shape, len(rebuilt)), ((81, 3), 500))
         self.assertEqual(rebuilt.quality["HarmonicPower"].size, 9)
 
+    def test_clockwise_triangles_are_kept_and_turned_in_smooth_surfaces(self):
+        def volume(surface):
+            a, b, c = np.moveaxis(surface.points[surface.faces], 1, 0)
+            return np.einsum("ij,ij", a, np.cross(b, c)) / 6.0
+
+        inside_out = cs.conformal_map((self.surface.points, self.surface.faces[:, ::-1]))
+        np.testing.assert_array_equal(inside_out.faces, self.surface.faces[:, ::-1])
+        self.assertLess(volume(inside_out), -4.0)
+        self.assertGreater(volume(inside_out.smooth(1000)), 4.0)
+
     def test_registration_returns_the_second_best_result(self):
         mapped = cs.conformal_map((self.surface.points, self.surface.faces))
         turns = "the second one is `second` of the result"  # an ellipsoid equals itself after half a turn
@@ -319,8 +329,9 @@ class TestFunctions(unittest.TestCase):
                     call(volume, spacing=(1, 1, 1))
 
     def test_errors_are_exceptions_with_the_filters_message(self):
-        with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalSOM: there are no points"):
-            cs.learn(np.zeros((0, 3)))
+        for empty in (np.zeros((0, 3)), []):
+            with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalSOM: there are no points"):
+                cs.learn(empty)
         with self.assertRaisesRegex(cs.FilterFailed, "vtkGlobalConformalMap: the surface must be closed"):
             cs.conformal_map(cloud())
         with self.assertRaisesRegex(FileNotFoundError, "vtkConformalPLYReader: .*there is no such file"):

@@ -130,6 +130,8 @@ def cloud_of(points: typing.Any) -> vtkPolyData:
     array = array_of(points, "points as an array of n x 3")
     if array.dtype.kind not in "fiub" or array.ndim == 0:
         raise TypeError(f"expected points, such as an array of n x 3 numbers, not {kind_of(points, array)}")
+    if array.shape == (0,):  # an empty list; the filter states that there are no points
+        array = array.reshape(0, 3)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"expected points as an array of n x 3, not of the shape {array.shape}")
     coordinates, cloud = vtkPoints(), vtkPolyData()

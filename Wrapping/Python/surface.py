@@ -97,7 +97,10 @@ class Surface:
 
     @property
     def faces(self) -> Array:
-        """Triangles: m x 3 integers, ids of points from 0, counter-clockwise seen from outside."""
+        """Triangles: m x 3 integers, ids of points from 0, counter-clockwise seen from outside.
+
+        conformal_map(), read() and register() keep the triangles of the input, also those that are clockwise.
+        """
         polygons = self._data.GetPolys()
         if polygons.IsHomogeneous() != 3 or self._data.GetNumberOfStrips():
             triangles = vtkTriangleFilter()
