@@ -356,7 +356,7 @@ class TestMovie(unittest.TestCase):
 
 
 class TestVolumes(unittest.TestCase):
-    """Files of MetaImage beside their voxels."""
+    """Files of MetaImage beside their voxels, and files that end early."""
 
     def test_voxels_in_other_files_and_as_text_are_read(self):
         voxels = np.arange(2 * 3 * 4, dtype=np.uint32).reshape(2, 3, 4)
@@ -380,6 +380,22 @@ class TestVolumes(unittest.TestCase):
                 file.write("ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 4 3 2\nElementType = MET_UINT\n"
                            "ElementDataFile = all.raw\n")
             with self.assertRaisesRegex(ValueError, "80 of 96 bytes"):
+                volumes.read(path, Steps(), "Read")
+
+    def test_voxels_that_are_missing_are_noticed_in_nrrd_files(self):
+        voxels = np.arange(60, dtype=np.uint8)
+        head = b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 4 3\nencoding: raw\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "volume.nrrd")
+            for name, content in (("all.raw", voxels.tobytes()), ("volume.nrrd", head + b"data file: all.raw\n"),
+                                  ("volume.nrrd", head + b"\n" + voxels.tobytes())):
+                with open(os.path.join(folder, name), "wb") as file:
+                    file.write(content)
+                if name == "volume.nrrd":
+                    volume, _ = volumes.read(path, Steps(), "Read")
+                    np.testing.assert_array_equal(vtk_to_numpy(volume.GetPointData().GetScalars()).ravel(), voxels)
+            os.truncate(path, os.path.getsize(path) - 5)
+            with self.assertRaisesRegex(ValueError, "55 of 60 bytes"):
                 volumes.read(path, Steps(), "Read")
 
 

@@ -80,12 +80,28 @@ def expect_one_volume(path, reader):
 
 
 def expect_whole(path, reader):
-    """Raise ValueError for a MetaImage file that ends early, of which VTK's reader takes the rest as 0.
+    """Raise ValueError for a file that ends early, of whose voxels VTK's reader takes the rest as 0 or from anywhere.
 
-    Only files with binary voxels in one place are checked: not those with text, a list or a pattern of files.
+    MetaImage files are checked if their voxels are binary and in one place: not text, a list or a pattern of files.
+    NRRD files are checked if they have the voxels themselves, and not compressed; VTK's reader notices others.
     """
-    if not isinstance(reader, vtkMetaImageReader):
-        return
+    if isinstance(reader, vtkMetaImageReader):
+        expect_whole_meta_image(path, reader)
+    elif isinstance(reader, vtkNrrdReader):
+        expect_whole_nrrd(path, reader)
+
+
+def expect_whole_nrrd(path, reader):
+    """Raise ValueError for a NRRD file with fewer voxels than its header states."""
+    with open(path, "rb") as file:
+        head = re.match(rb"(.*?\n)\r?\n", file.read(2**16), flags=re.S)
+    if head and re.search(rb"^encoding:\s*raw\s*$", head[1], flags=re.M | re.I) and not re.search(
+            rb"^data ?file:", head[1], flags=re.M | re.I):
+        expect_bytes(path, os.path.getsize(path) - head.end(), bytes_of(reader.GetOutput()))
+
+
+def expect_whole_meta_image(path, reader):
+    """Raise ValueError for a MetaImage file with fewer voxels than its header states."""
     with open(path, "rb") as file:
         head = file.read(2**16)
     begin, key, rest = head.partition(b"ElementDataFile")
@@ -95,14 +111,23 @@ def expect_whole(path, reader):
     beside = os.path.join(os.path.dirname(path), data)
     if not is_true(words, b"BinaryData") or not (data.lower() == "local" or os.path.isfile(beside)):
         return
-    volume = reader.GetOutput()
-    needed = volume.GetNumberOfPoints() * volume.GetNumberOfScalarComponents() * volume.GetScalarSize()
+    needed = bytes_of(reader.GetOutput())
     if is_true(words, b"CompressedData"):
         needed = int(words.get(b"CompressedDataSize", b"0"))
     if data.lower() == "local":
         found = os.path.getsize(path) - len(begin + key + value + end)
     else:
         found = os.path.getsize(beside)
+    expect_bytes(path, found, needed)
+
+
+def bytes_of(volume):
+    """The size of all voxels."""
+    return volume.GetNumberOfPoints() * volume.GetNumberOfScalarComponents() * volume.GetScalarSize()
+
+
+def expect_bytes(path, found, needed):
+    """Raise ValueError if a file has fewer bytes of voxels than it needs."""
     if found < needed:
         raise ValueError(f"{path}: the file ends early: it has {found} of {needed} bytes of voxels")
 
