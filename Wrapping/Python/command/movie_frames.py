@@ -12,7 +12,7 @@ from conformalsom import (
     vtkBodyMap, vtkConformalSOM, vtkGlobalConformalMap, vtkSurfaceLayers, vtkVolumeSurfacePoints)
 from conformalsom.messages import heard
 
-from . import mapped_files, scan_files, shape_steps, volumes
+from . import finite_points, mapped_files, scan_files, shape_steps, volumes
 from .steps import StepFailed
 
 SPHERE = shape_steps.SPHERE
@@ -82,7 +82,7 @@ class Surfaces:
         self.steps.take_outside_messages()
         self.steps.run(f"Read {frame.name}", scan)
         broken = [text for text in self.steps.take_outside_messages() if text.startswith("Error")]
-        data = scan.GetOutputDataObject(0)
+        data = finite_points.kept(scan.GetOutputDataObject(0), self.steps, f"Read {frame.name}")
         if broken or data.GetNumberOfPoints() == 0:
             raise Skipped(broken[0] if broken else "no points found")
         data = self.placed(data)

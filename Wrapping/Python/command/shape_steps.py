@@ -16,7 +16,7 @@ import conformalsom
 from conformalsom import (
     vtkConformalSOM, vtkConsistentRemesh, vtkGenusZeroCheck, vtkGlobalConformalMap, vtkSphericalRegistration)
 
-from . import outputs, scan_files, shape_landmarks
+from . import finite_points, outputs, scan_files, shape_landmarks
 from .plan import Paths
 
 SPHERE = "SpherePosition"
@@ -92,7 +92,7 @@ def mapped(step, _, steps):
     broken = [text for text in steps.take_outside_messages() if text.startswith("Error")]
     if broken:
         raise ValueError(f"{step.scan}: {broken[0]}")
-    data = scan.GetOutputDataObject(0)
+    data = finite_points.kept(scan.GetOutputDataObject(0), steps)
     if data.GetNumberOfPoints() == 0:
         raise ValueError(f"{step.scan}: no points found")
     has_shift = hasattr(scan, "GetShiftCoordinates")  # else the array is of the file, as are the landmarks

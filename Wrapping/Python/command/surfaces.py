@@ -9,7 +9,7 @@ from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
     vtkTexturedSurfaceWriter)
 
-from . import details, labels, outputs, pictures, report, scan_colors, scan_files, textures
+from . import details, finite_points, labels, outputs, pictures, report, scan_colors, scan_files, textures
 from .plan import Paths
 
 
@@ -190,10 +190,12 @@ def make_surface(task, texture, options, steps):
     broken = [text for text in steps.take_outside_messages() if text.startswith("Error")]
     if broken:  # so VTK's reader of .vtk tells of a file that ends early
         raise ValueError(f"{scan_path}: {broken[0]}")
-    points = scan.GetOutputDataObject(0)
+    points = finite_points.kept(scan.GetOutputDataObject(0), steps)
     if points.GetNumberOfPoints() == 0:
         raise ValueError(f"{scan_path}: no points found")
     scan_files.note_shift(points, steps)
+    scan = vtkTrivialProducer()
+    scan.SetOutput(points)
     colors = scan_colors.colors_of(points) if texture is None else None
     meters = labels.meters_of(points, options.unit, "m", steps)
 
