@@ -570,7 +570,7 @@ class TestFormats(unittest.TestCase):
             "scan.pcd": "PCD", "lh.white": "FreeSurfer", "scan.surf.gii": "GIFTI",
             "scan.conf": "StanfordScans", "scan.tab": "PlateModel", "ply without extension": "ConformalPLY",
             "shape_surf.vtk": "SPHARMSurface"}  # with shape_para.vtk beside it
-    VTKS = {"scan.obj": vtkOBJReader, "scan.stl": vtkSTLReader, "scan.vtp": vtkXMLPolyDataReader,
+    VTKS = {"scan.obj": scan_files.OBJReader, "scan.stl": vtkSTLReader, "scan.vtp": vtkXMLPolyDataReader,
             "scan.vtk": vtkPolyDataReader}
 
     @classmethod
@@ -747,6 +747,16 @@ class TestColors(unittest.TestCase):
         corners = vtk_to_numpy(scan.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         colored(scan, hues(points_of(scan)[corners].mean(axis=1)), scan.GetCellData())
         self.expect_hues(*self.paint("scan.off", conformalsom.vtkConformalOFFWriter(), scan))
+
+    def test_points_that_are_not_finite_are_left_out(self):
+        scan = cloud_of(egg(20))
+        colored(scan, hues(points_of(scan)), scan.GetPointData())
+        vtk_to_numpy(scan.GetPoints().GetData())[0] = np.nan
+        with tempfile.TemporaryDirectory() as folder:
+            write(vtkXMLPolyDataWriter(), scan, folder, "scan.vtp")
+            run = command(folder, "scan.vtp", *COARSE, "-o", "x.ply", "--report", "x.json")
+            self.assertEqual((run.returncode, os.path.exists(os.path.join(folder, "x.png"))), (0, True), run.stderr)
+            self.assertIn("Read the scan: 1 of 4,002 points are not finite, and are left out", run.stderr)
 
     def test_given_picture_wins(self):
         scan = cloud_of(egg(20))

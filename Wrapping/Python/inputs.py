@@ -2,6 +2,7 @@
 import errno
 import os
 import typing
+import warnings
 
 import numpy as np
 import numpy.typing as npt
@@ -11,9 +12,9 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOXML import vtkXMLReader
 
-from conformalsom.command import scan_files, textures, volumes
-from conformalsom.messages import FilterFailed
-from conformalsom.running import run
+from conformalsom.command import obj_files, scan_files, textures, volumes
+from conformalsom.messages import FilterFailed, FilterWarning
+from conformalsom.running import level_of_caller, run
 
 
 class HasPolyData(typing.Protocol):
@@ -210,6 +211,8 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
     reader_class = scan_files.reader_class(name)
     if reader_class is None and not os.path.exists(name):
         raise missing(name, os.strerror(errno.ENOENT))
+    if reader_class is scan_files.OBJReader:  # a class of Python, which cannot run on another thread
+        return read_obj(name)
     # Without a class, scan_reader() raises an error that lists the known types.
     reader: typing.Any = scan_files.scan_reader(name) if reader_class is None else reader_class()
     reader.SetFileName(name)
@@ -224,6 +227,17 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
         scan_files.check_stl(name)
     keep(texts, warnings)
     return reader.GetOutputDataObject(0)
+
+
+def read_obj(name: str) -> vtkPolyData:
+    """Read an .obj file; a warning of the reader is issued as FilterWarning."""
+    try:
+        data, warning = obj_files.read(name)
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
+    if warning:
+        warnings.warn(f"{name}: {warning}", FilterWarning, stacklevel=level_of_caller())
+    return data
 
 
 def quiet_parser(reader: typing.Any) -> None:

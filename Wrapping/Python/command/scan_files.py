@@ -5,19 +5,20 @@ import struct
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import conformalsom
 
 from . import outputs
+from .obj_files import OBJReader
 
 OUR_READERS = [reader for reader in vars(conformalsom).values()
                if hasattr(reader, "CanReadFile") and issubclass(reader, conformalsom.vtkSurfaceFileReader)]
 SHIFT = "CoordinateShift"  # field array
 VTK_READERS = {
-    ".obj": vtkOBJReader,
+    ".obj": OBJReader,
     ".stl": vtkSTLReader,
     ".vtp": vtkXMLPolyDataReader,
     ".vtk": vtkPolyDataReader,
@@ -98,13 +99,29 @@ def note_shift(points, steps):
 
 
 def check_stl(path):
-    """Raise ValueError for what is no STL file, or only a part of one, which VTK's reader takes."""
+    """Raise ValueError for what is no STL file, or has less or more than its triangles, which VTK's reader takes."""
     with open(path, "rb") as file:
-        head = file.read(84)
-    triangles = struct.unpack("<80xI", head)[0] if len(head) == 84 else 0
-    is_text = head.lstrip().startswith(b"solid")
-    if not is_text and not 0 < 50 * triangles <= os.path.getsize(path) - 84:
+        head = file.read(256)
+    if is_text(head):
+        if not head.lstrip().lower().startswith(b"solid"):
+            raise ValueError(f"{path}: not an STL file")
+        return
+    triangles = struct.unpack_from("<I", head, 80)[0] if len(head) >= 84 else 0
+    more = os.path.getsize(path) - 84 - 50 * triangles
+    if triangles == 0 or more < 0:
         raise ValueError(f"{path}: not an STL file, or an incomplete one")
+    if more > 0:
+        raise ValueError(f"{path}: {more:,} bytes follow the {triangles:,} triangles that the file states; "
+                         "remove these bytes, or correct the number")
+
+
+def is_text(head):
+    """Whether VTK's reader takes an .stl file with these first 256 bytes as text.
+
+    The first word does not decide: headers of binary files may begin with solid, too.
+    """
+    others = sum(not (32 <= byte < 128 or byte in b"\t\n\r") for byte in head)
+    return bool(head) and others < 0.05 * len(head)
 
 
 def inputs_of(path):
