@@ -17,10 +17,15 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkBitArray, vtkFloatArray, vtkOutputWindow, vtkStringArray, vtkVariantArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
 
 import conformalsom as cs
 from conformalsom import pages, reporting
-from conformalsom.inputs import as_floats, cloud_of, volume_of
+from conformalsom.command import scan_colors, steps, volumes
+from conformalsom.inputs import as_floats, cloud_of, point_set, read_volume, volume_of
+from conformalsom.messages import errors_outside, heard
 
 AXES = (1.0, 1.4, 0.8)
 # Learning that would last for hours.
@@ -40,6 +45,13 @@ def ball():
 
 def learned(**properties):
     return cs.learn(cloud(), **{"number_of_neurons": 500, **properties})
+
+
+class Quiet(steps.Steps):
+    """Steps of the command that print nothing."""
+
+    def ended(self, label, warnings):
+        pass
 
 
 def picture():
@@ -206,6 +218,18 @@ class TestFunctions(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "expected a file of type .*glb"):
             painted.save(self.path("saved.docx"))
 
+    def test_options_that_are_not_set_cause_no_warnings(self):
+        """A picture on an open surface cannot be balanced."""
+        points = cloud()
+        surface = cs.learn(points[points[:, 2] > 0.0], number_of_neurons=300, border="Open")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", cs.FilterWarning)
+            painted = surface.paint(picture())
+            painted.save(self.path("open.obj"))
+        with self.assertWarnsRegex(cs.FilterWarning, "AreaBalance is not used"):
+            surface.paint(picture(), area_balance=0.5)
+        self.assertEqual(self.surface.paint(picture()).placement["area_balance"], 0.5)
+
     def test_the_painted_picture_is_not_replaced(self):
         path = self.path("photo.png")
         self.surface.paint(picture()).save(self.path("photo.ply"))
@@ -272,6 +296,42 @@ class TestFunctions(unittest.TestCase):
             self.expect_same(other.smooth(1000), painted.smooth(1000))
             self.assertEqual(self.saved(other), self.saved(painted))
 
+    def test_arrays_of_all_kinds(self):
+        """Bits become bytes in arrays of NumPy; copies keep all arrays."""
+        bits, texts, normals, named = vtkBitArray(), vtkStringArray(), vtkFloatArray(), vtkFloatArray()
+        for array, name, values in ((bits, "Inside", [1, 0, 1, 1, 0, 0, 1, 0]), (texts, "Texts", list("abcdefgh")),
+                                    (named, "Named", range(8)), (normals, None, range(12))):
+            array.SetNumberOfComponents(2 if name else 3)
+            for value in values:
+                array.InsertNextValue(value)
+            if name:
+                array.SetName(name)
+        named.SetComponentName(1, "second")
+        data = vtkPolyData()
+        data.ShallowCopy(cs.Surface((np.eye(4, 3), np.array([[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]]))).polydata)
+        data.GetPointData().SetNormals(normals)
+        for array in (bits, texts, named):
+            data.GetPointData().AddArray(array)
+        surface = cs.Surface(data)
+        with self.assertRaisesRegex(KeyError, "SpherePosition"):
+            surface.sphere  # pylint: disable=pointless-statement
+        self.assertEqual(len(cs.conformal_map(surface).sphere), 4)
+        self.assertEqual(surface.point_data["Inside"].tolist(), [[1, 0], [1, 1], [0, 0], [1, 0]])
+        copied = copy.copy(surface)
+        self.expect_same(copied, surface)
+        found = copied.polydata.GetPointData()
+        self.assertIsInstance(found.GetArray("Inside"), vtkBitArray)
+        np.testing.assert_array_equal(vtk_to_numpy(found.GetNormals()), vtk_to_numpy(normals))
+        texts_found = found.GetAbstractArray("Texts")
+        self.assertEqual([texts_found.GetValue(i) for i in range(texts_found.GetNumberOfValues())], list("abcdefgh"))
+        self.assertEqual((texts_found.GetNumberOfComponents(), texts_found.GetNumberOfTuples()), (2, 4))
+        self.assertEqual([found.GetArray("Named").GetComponentName(i) for i in (0, 1)], [None, "second"])
+        variants = vtkVariantArray()
+        variants.SetName("Mixed")
+        data.GetFieldData().AddArray(variants)
+        with self.assertRaisesRegex(TypeError, "the array 'Mixed' cannot be pickled or copied, .* vtkVariantArray"):
+            pickle.dumps(cs.Surface(data))
+
     def test_unknown_keywords_and_wrong_values_are_errors(self):
         for error, text, call in (
                 (TypeError, "no keyword argument 'neurons'; did you mean 'number_of_neurons'",
@@ -283,6 +343,16 @@ class TestFunctions(unittest.TestCase):
                  lambda: cs.learn(cloud(), mesh_type="geodesic")),
                 (TypeError, "number_of_neurons is 'x', but must be int", lambda: cs.learn(cloud(), number_of_neurons="x")),
                 (ValueError, "random_seed is -1, but must be in", lambda: cs.learn(cloud(), random_seed=-1)),
+                (ValueError, r"random_seed is 2147483648, but must be in \[0, 2147483647\]",
+                 lambda: cs.learn(cloud(), random_seed=2**31)),
+                (ValueError, r"number_of_neurons is 10000000000, but must be in \[0, 10000002\]",
+                 lambda: cs.learn(cloud(), number_of_neurons=10**10)),
+                (ValueError, r"image_size is \(2147483648, 5\), but must be in \[-2147483648, 2147483647\]",
+                 lambda: self.surface.layers(np.zeros((3, 3, 3)), image_size=(2**31, 5))),
+                (ValueError, "smoothness is 10+, but must be in .-1.79", lambda: cs.learn(cloud(), smoothness=10**400)),
+                (ValueError, "landmarks is .* int too big",
+                 lambda: self.surface.register(self.surface, landmarks=[(2**70, 1)])),
+                (cs.FilterFailed, "NumberOfNeurons must be 0", lambda: cs.learn(cloud(), number_of_neurons=5)),
                 (TypeError, "not ndarray of object", lambda: cs.learn(cloud().astype(object))),
                 (ValueError, "rows of different lengths", lambda: cs.learn([[1.0, 2.0, 3.0], [1.0]])),
                 (TypeError, "not ndarray of complex128", lambda: cs.surface_from_volume(np.zeros((3, 3, 3), complex))),
@@ -355,6 +425,48 @@ class TestFunctions(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "broken"):
             self.surface.paint(self.path("broken.png"))
 
+    def test_vtk_files_that_end_early_are_errors(self):
+        """VTK's reader sets missing values to anything, and only its output window tells."""
+        before = vtkOutputWindow.GetInstance()
+        for set_type in (vtkPolyDataWriter.SetFileTypeToBinary, vtkPolyDataWriter.SetFileTypeToASCII):
+            writer = vtkPolyDataWriter()
+            writer.SetInputData(self.surface.polydata)
+            set_type(writer)
+            writer.SetFileName(self.path("whole.vtk"))
+            writer.Write()
+            with open(self.path("whole.vtk"), "rb") as file:
+                content = file.read()
+            np.testing.assert_allclose(cs.read(self.path("whole.vtk")).sphere, self.surface.sphere, atol=1e-9)
+            for share in (0.1, 0.4, 0.7, 0.99):
+                with open(self.path("cut.vtk"), "wb") as file:
+                    file.write(content[:int(share * len(content))])
+                with self.subTest(share), self.assertRaisesRegex(cs.FilterFailed, "cut.vtk: Error reading"):
+                    cs.read(self.path("cut.vtk"))
+        self.assertIs(vtkOutputWindow.GetInstance(), before)
+
+    def test_raw_volumes_that_end_early_are_errors(self):
+        head = b"NRRD0004\ntype: uint8\ndimension: 4\nsizes: 1 5 5 5\nencoding: raw\n\n"
+        for count in (125, 124, 30):
+            with open(self.path("cut.nrrd"), "wb") as file:
+                file.write(head + bytes(count))
+            for read in (read_volume, lambda path: volumes.read(path, Quiet(), "Read")[0]):
+                if count == 125:
+                    self.assertEqual(read(self.path("cut.nrrd")).GetNumberOfPoints(), 125)
+                    continue
+                with self.assertRaisesRegex((cs.FilterFailed, ValueError), "cut.nrrd: File operation failed"):
+                    read(self.path("cut.nrrd"))
+
+    def test_errors_that_quote_bytes_are_errors(self):
+        with open(self.path("latin.vtk"), "wb") as file:
+            file.write("# vtk DataFile Version 3.0\nx\nASCII\nDATASET PÖLYDATA\n".encode("latin-1"))
+        with self.assertRaisesRegex(cs.FilterFailed, "Cannot read dataset type: p\ufffdlydata"):
+            cs.read(self.path("latin.vtk"))
+        reader = vtkPolyDataReader()
+        reader.SetFileName(self.path("latin.vtk"))
+        with heard(reader) as messages, errors_outside():  # whose block prints nothing
+            reader.Update()
+        self.assertRegex(messages.errors[0], "the error message is not in UTF-8")
+
     def test_warnings_have_a_category_and_are_issued_once_at_the_callers_line(self):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
@@ -410,7 +522,7 @@ class TestFunctions(unittest.TestCase):
     def test_nothing_is_printed(self):
         script = textwrap.dedent("""\
             import warnings, numpy, conformalsom as cs
-            for points in numpy.zeros((0, 3)), "missing.ply", "junk.vtp":
+            for points in numpy.zeros((0, 3)), "missing.ply", "junk.vtp", "cut.vtk":
                 try:
                     cs.learn(points)
                 except (cs.FilterFailed, FileNotFoundError):
@@ -431,6 +543,9 @@ class TestFunctions(unittest.TestCase):
             with open(self.path(name), "w", encoding="ascii") as file:
                 file.write("junk")
         self.surface.save(self.path("sphere.vtp"))
+        self.surface.save(self.path("cut.vtk"))
+        with open(self.path("cut.vtk"), "r+b") as file:
+            file.truncate(9000)
         done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               cwd=self.folder.name, check=False)
         self.assertEqual((done.returncode, done.stdout), (0, ""))
@@ -451,6 +566,26 @@ class TestFunctions(unittest.TestCase):
         fractions = []
         self.surface.bake(cloud(), colors=np.zeros((4000, 3), np.uint8), progress=fractions.append)
         self.assertEqual((fractions.count(1.0), fractions[-1]), (2, 1.0))
+
+    def test_baking_leaves_out_points_that_are_not_finite(self):
+        points = cloud()
+        colors = np.full((4000, 3), 9, np.uint8)
+        points[::40], colors[::40] = np.nan, 255
+        warning = "vtkSphericalTextureImage: 100 points are not finite and left out"
+        with self.assertWarnsRegex(cs.FilterWarning, warning):
+            baked = self.surface.bake(points, colors=colors, texture_size=32)
+        self.assertIn(warning, baked.warnings)
+        self.assertEqual(set(baked.texture[..., :3].ravel()), {9})
+        # Of a mesh, triangles at other points are used as before.
+        corners = np.array(self.surface.points)
+        corners[7] = np.inf
+        part, shades = scan_colors.finite_part(point_set((corners, self.surface.faces)), np.arange(500))
+        faces = self.surface.faces[(self.surface.faces != 7).all(axis=1)]
+        np.testing.assert_array_equal(shades[cs.Surface(part).faces], faces)
+        np.testing.assert_array_equal(cs.Surface(part).points, self.surface.points[shades])
+        for value in (-1, 256):
+            with self.assertRaisesRegex(ValueError, rf"colors must be .* not in \[{min(value, 9)}, {max(value, 9)}\]"):
+                self.surface.bake(cloud(), colors=np.r_[[[value] * 3], np.full((3999, 3), 9)])
 
     def test_an_exception_of_the_function_stops_the_filter(self):
         with self.assertRaises(ZeroDivisionError):

@@ -22,8 +22,8 @@ def learn(points: PointsLike, *, progress: Progress = False, **properties: typin
     progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
     Raises FileNotFoundError for a missing file, TypeError or ValueError for unsuitable arguments, and FilterFailed
-    for points from which no surface can be learned, such as no points. Warnings are issued as FilterWarning, and
-    are kept in the surface. Example:
+    for points from which no surface can be learned, such as no points, or an option that the filter refuses.
+    Warnings are issued as FilterWarning, and are kept in the surface. Example:
 
         surface = conformalsom.learn(points, number_of_neurons=5000)
     """

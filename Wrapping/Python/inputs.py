@@ -10,10 +10,12 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkCallbackCommand, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkIOGeometry import vtkSTLReader
+from vtkmodules.vtkIOImage import vtkNrrdReader
+from vtkmodules.vtkIOLegacy import vtkDataReader
 from vtkmodules.vtkIOXML import vtkXMLReader
 
 from conformalsom.command import obj_files, scan_files, textures, volumes
-from conformalsom.messages import FilterFailed, FilterWarning
+from conformalsom.messages import FilterFailed, FilterWarning, errors_outside
 from conformalsom.running import level_of_caller, run
 
 
@@ -218,7 +220,7 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
     reader.SetFileName(name)
     quiet_parser(reader)
     try:
-        warnings = run(reader)
+        warnings = run_reader(reader)
     except FilterFailed as error:
         if os.path.exists(name):
             raise
@@ -238,6 +240,20 @@ def read_obj(name: str) -> vtkPolyData:
     if warning:
         warnings.warn(f"{name}: {warning}", FilterWarning, stacklevel=level_of_caller())
     return data
+
+
+def run_reader(reader: typing.Any) -> typing.List[str]:
+    """Run a reader; return its warnings.
+
+    Raises FilterFailed also for a .vtk or .nrrd file that ends early, which is no failure for VTK.
+    """
+    if not isinstance(reader, (vtkDataReader, vtkNrrdReader)):
+        return run(reader)
+    with errors_outside() as broken:
+        warnings = run(reader)
+    if broken:
+        raise FilterFailed(f"{reader.GetClassName()}: {reader.GetFileName()}: {broken[0]}")
+    return warnings
 
 
 def quiet_parser(reader: typing.Any) -> None:
@@ -322,7 +338,7 @@ def read_volume(name: str, texts: Texts = None) -> vtkImageData:
         raise missing(name, os.strerror(errno.ENOENT))
     volumes.expect_header(name, reader)
     quiet_parser(reader)
-    keep(texts, run(reader))
+    keep(texts, run_reader(reader))
     volumes.expect_one_volume(name, reader)
     volumes.expect_whole(name, reader)
     return reader.GetOutput()

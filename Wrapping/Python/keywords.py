@@ -75,7 +75,8 @@ def apply(algorithm: typing.Any, keywords: typing.Mapping[str, Keyword], propert
           data_of: typing.Callable[[typing.Any], typing.Any]) -> None:
     """Set properties of a filter by keyword arguments; data_of() converts the data of further inputs.
 
-    Raises TypeError for a wrong type, and ValueError for a value that the property cannot have.
+    Raises TypeError for a wrong type, and ValueError for a value that the property cannot have. Ranges that only the
+    filter knows are checked when it runs.
     """
     for word, value in properties.items():
         keyword = keywords[word]
@@ -94,12 +95,13 @@ def apply(algorithm: typing.Any, keywords: typing.Mapping[str, Keyword], propert
 
 
 def add_items(algorithm: typing.Any, word: str, keyword: Keyword, value: typing.Any) -> None:
-    """Add the items of a list, and raise TypeError for a wrong type."""
+    """Add the items of a list. Raise TypeError for a wrong type, and ValueError for a number that is too large."""
     try:
         for item in value:
             getattr(algorithm, "Add" + keyword.name)(*arguments_of(item))
-    except TypeError as error:
-        raise TypeError(f"{word} is {value!r}, but must be {keyword.type}: {error}") from None
+    except (TypeError, OverflowError) as error:
+        type_ = TypeError if isinstance(error, TypeError) else ValueError
+        raise type_(f"{word} is {value!r}, but must be {keyword.type}: {error}") from None
 
 
 def arguments_of(item: typing.Any) -> typing.List[typing.Any]:
@@ -109,7 +111,7 @@ def arguments_of(item: typing.Any) -> typing.List[typing.Any]:
 
 
 def set_value(algorithm: typing.Any, word: str, keyword: Keyword, value: typing.Any) -> None:
-    """Set a property, and raise ValueError if the filter clamps the value to the property's range."""
+    """Set a property, and raise ValueError if the filter would clamp the value, or if VTK cannot store it."""
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
     if isinstance(keyword.default, bool) and not (isinstance(value, (bool, int, float)) and value in (0, 1)):
@@ -118,11 +120,23 @@ def set_value(algorithm: typing.Any, word: str, keyword: Keyword, value: typing.
         getattr(algorithm, "Set" + keyword.name)(value)
     except TypeError as error:
         raise TypeError(f"{word} is {value!r}, but must be {keyword.type}: {error}") from None
-    taken = getattr(algorithm, "Get" + keyword.name)()
+    except OverflowError:
+        is_taken = False
+    else:
+        is_clamped = hasattr(algorithm, f"Get{keyword.name}MinValue")
+        is_taken = not is_clamped or getattr(algorithm, "Get" + keyword.name)() == value
+    if not is_taken:
+        low, high = range_of(algorithm, keyword)
+        raise ValueError(f"{word} is {value!r}, but must be in [{low}, {high}]")
+
+
+def range_of(algorithm: typing.Any, keyword: Keyword) -> typing.Tuple[float, float]:
+    """Return the least and the greatest number of a property: of its declared range, or of its type."""
     least = getattr(algorithm, f"Get{keyword.name}MinValue", None)
-    if least is not None and taken != value:
-        most = getattr(algorithm, f"Get{keyword.name}MaxValue")
-        raise ValueError(f"{word} is {value!r}, but must be in [{least()}, {most()}]")
+    if least is not None:
+        return least(), getattr(algorithm, f"Get{keyword.name}MaxValue")()
+    limits: typing.Any = np.iinfo(np.intc) if "int" in keyword.type else np.finfo(float)
+    return limits.min, limits.max
 
 
 def expect_number(word: str, value: typing.Any, low: int, high: int,

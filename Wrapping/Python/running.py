@@ -43,9 +43,14 @@ def run(algorithm: typing.Any, progress: Progress = False,
     for part, words in (reworded or {}).items():
         texts = [text.replace(part, words) for text in texts]
     texts = [f"{name}: {text}" for text in texts]
+    warn(texts)
+    return texts
+
+
+def warn(texts: typing.Iterable[str]) -> None:
+    """Issue warnings as FilterWarning, at the line that called the package."""
     for text in texts:
         warnings.warn(text, FilterWarning, stacklevel=level_of_caller())
-    return texts
 
 
 def is_empty(algorithm: typing.Any) -> bool:

@@ -22,7 +22,7 @@ from conformalsom.inputs import (
 from conformalsom.keywords import expect_number, properties_of
 from conformalsom.messages import FilterFailed, heard
 from conformalsom.reporting import Progress
-from conformalsom.running import run
+from conformalsom.running import run, warn
 
 Array = npt.NDArray[typing.Any]
 AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
@@ -112,7 +112,10 @@ class Surface:
     @property
     def sphere(self) -> Array:
         """Positions of the points on the unit sphere: n x 3 numbers. Raises KeyError if there is no map."""
-        return self.point_data["SpherePosition"]
+        array = self._data.GetPointData().GetArray("SpherePosition")
+        if array is None:
+            raise KeyError("SpherePosition")
+        return constant(array)
 
     @property
     def point_data(self) -> typing.Dict[str, Array]:
@@ -192,15 +195,16 @@ class Surface:
         return self._filtered("vtkCurvedSeamlessSurface", progress, properties)
 
     @properties_of("vtkSphericalTextureMap", without=("area_balance",))
-    def paint(self, image: ImageLike, *, area_balance: float = AREA_BALANCE, progress: Progress = False,
+    def paint(self, image: ImageLike, *, area_balance: typing.Optional[float] = None, progress: Progress = False,
               **properties: typing.Any) -> "Surface":
         """Lay a picture on the surface. Its middle faces view_direction, and its top view_up.
 
         image: a PNG or JPEG file of up to 2^28 pixels, or an array of rows x columns x 3 or 4 bytes, first row
         on top. A separate process decodes files, and turns JPEG files as their EXIF orientation says.
-        area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5. Not used
-        if the surface has a border. With 0, the picture is laid by the surface's own map to the sphere. If that map
-        is conformal, the picture is not distorted, but long parts of the surface show few of its pixels.
+        area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5, or 0 if the
+        surface has a border: other values are then not used, with a warning. With 0, the picture is laid by the
+        surface's own map to the sphere. If that map is conformal, the picture is not distorted, but long parts of the
+        surface show few of its pixels.
         progress: True for a bar, or a function that gets the completed fraction in [0, 1].
 
         Raises FileNotFoundError if there is no such file, and ValueError if it is no picture or is broken. Example:
@@ -208,6 +212,8 @@ class Surface:
             surface.paint("photo.png", view_direction=(0, 0, 1)).save("figure.glb")
         """
         picture = image_of(image)
+        if area_balance is None:
+            area_balance = 0.0 if self._has_border() else AREA_BALANCE
         placement = {**properties, "area_balance": area_balance}
         painted = self._filtered("vtkSphericalTextureMap", progress, placement)
         painted._picture = picture, placement
@@ -219,7 +225,8 @@ class Surface:
              progress: Progress = False) -> "Surface":
         """Paint the surface with the colors of a scan, averaged over each pixel of the picture.
 
-        scan: points with colors: a file, a vtkPointSet, or any input of learn().
+        scan: points with colors: a file, a vtkPointSet, or any input of learn(). Points that are not finite are left
+        out with a warning.
         colors: red, green and blue of the points, n x 3 bytes in [0, 255]; default is the scan's own colors.
         texture_size: width and height of the picture in pixels, in [1, 16384]; by default, the density of the
         scan's points determines it, up to 4096.
@@ -239,10 +246,14 @@ class Surface:
             raise ValueError("the scan has no colors: pass an array of n x 3 bytes as colors")
         if texture_size is not None:
             expect_number("texture_size", texture_size, 1, 16384)
-        map_ = self.polydata.GetPointData().GetArray("SpherePosition")
-        has_border = map_ is not None and map_.GetRange(2)[0] >= 0.0  # mapped to a hemisphere
+        count = points.GetNumberOfPoints()
+        points, found = scan_colors.finite_part(points, found)
+        left_out = count - points.GetNumberOfPoints()
+        if left_out > 0:
+            texts.append(f"vtkSphericalTextureImage: {left_out} points are not finite and left out")
+            warn(texts[-1:])
         placement: typing.Dict[str, typing.Any] = {"projection": "Square"}
-        if not has_border:
+        if not self._has_border():
             placement = {"projection": "Octahedral", "margin": 0.01, "area_balance": area_balance}
         painted = self._filtered("vtkSphericalTextureMap", progress, placement)
         source = vtkTrivialProducer()
@@ -404,6 +415,11 @@ class Surface:
         self._warnings = state["warnings"]
         self._second = state.get("second")
 
+    def _has_border(self) -> bool:
+        """Return whether the surface is mapped to a hemisphere, as are surfaces with a border."""
+        map_ = self.polydata.GetPointData().GetArray("SpherePosition")
+        return map_ is not None and map_.GetRange(2)[0] >= 0.0
+
     def _filtered(self, class_name: str, progress: Progress, properties: typing.Mapping[str, typing.Any]) -> "Surface":
         """Run a filter on this surface; return its first output as a surface."""
         algorithm, texts = updated(class_name, [self], progress, properties)
@@ -416,8 +432,8 @@ def unique(texts: typing.Iterable[str]) -> typing.Tuple[str, ...]:
 
 
 def constant(array: typing.Any) -> Array:
-    """Return an array of VTK as one of NumPy over the same memory, which cannot be changed."""
-    values = vtk_to_numpy(array)
+    """Return an array of VTK as one of NumPy over the same memory, which cannot be changed; bits as a copy in bytes."""
+    values = pickling.numbers_of(array)
     values.flags.writeable = False
     return values
 
@@ -432,10 +448,11 @@ def columns_of(table: typing.Any) -> typing.Dict[str, Array]:
 def colors_in(colors: npt.ArrayLike, count: int) -> Array:
     """Return colors as count x 3 bytes. Raises ValueError unless they are such numbers."""
     array = array_of(colors, f"colors as {count} x 3 integers in [0, 255]")
-    if array.shape != (count, 3) or array.dtype.kind not in "iu" or array.size and (
-            array.min() < 0 or array.max() > 255):
+    if array.shape != (count, 3) or array.dtype.kind not in "iu":
         raise ValueError(f"expected colors as {count} x 3 integers in [0, 255], not of the shape {array.shape} and "
                          f"of {array.dtype}")
+    if array.size and not 0 <= array.min() <= array.max() <= 255:
+        raise ValueError(f"colors must be integers in [0, 255], not in [{array.min()}, {array.max()}]")
     return np.ascontiguousarray(array, np.uint8)
 
 

@@ -7,17 +7,21 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 CELLS = ("Verts", "Lines", "Polys", "Strips")  # in the order of cell data
 
 
+def flags_of(data):
+    """For each point of a point set, whether its coordinates are finite."""
+    if data.GetNumberOfPoints() == 0:
+        return np.ones(0, dtype=bool)
+    return np.isfinite(vtk_to_numpy(data.GetPoints().GetData())).all(axis=1)
+
+
 def kept(data, steps, label="Read the scan"):
     """The data itself if all of its points are finite. Else a copy without the others and without cells at them; a note
     states how many points are left out.
     """
-    if not isinstance(data, vtkPolyData) or data.GetNumberOfPoints() == 0:
+    finite = flags_of(data)
+    if finite.all() or not isinstance(data, vtkPolyData):
         return data
-    points = vtk_to_numpy(data.GetPoints().GetData())
-    finite = np.isfinite(points).all(axis=1)
-    if finite.all():
-        return data
-    steps.note(label, f"{np.count_nonzero(~finite):,} of {len(points):,} points are not finite, and are left out")
+    steps.note(label, f"{np.count_nonzero(~finite):,} of {len(finite):,} points are not finite, and are left out")
     return with_points(data, finite)
 
 

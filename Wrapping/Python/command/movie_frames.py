@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 
 from conformalsom import (
     vtkBodyMap, vtkConformalSOM, vtkGlobalConformalMap, vtkSurfaceLayers, vtkVolumeSurfacePoints)
-from conformalsom.messages import heard
+from conformalsom.messages import errors_outside, heard
 
 from . import finite_points, mapped_files, scan_files, shape_steps, volumes
 from .steps import StepFailed
@@ -79,9 +79,8 @@ class Surfaces:
         if volumes.is_volume(frame.path):
             return self.of_volume(frame)
         scan = scan_files.scan_reader(frame.path)
-        self.steps.take_outside_messages()
-        self.steps.run(f"Read {frame.name}", scan)
-        broken = [text for text in self.steps.take_outside_messages() if text.startswith("Error")]
+        with errors_outside() as broken:
+            self.steps.run(f"Read {frame.name}", scan)
         data = finite_points.kept(scan.GetOutputDataObject(0), self.steps, f"Read {frame.name}")
         if broken or data.GetNumberOfPoints() == 0:
             raise Skipped(broken[0] if broken else "no points found")

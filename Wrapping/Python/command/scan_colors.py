@@ -2,10 +2,13 @@
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
 from conformalsom import vtkSphericalTextureImage
+
+from . import finite_points
 
 NAME = "Color"
 
@@ -26,6 +29,18 @@ def colors_of(scan):
         averaged.Update()
         colors = averaged.GetOutput().GetPointData().GetArray(of_cells.GetName())
     return None if colors is None else np.rint(vtk_to_numpy(colors)[:, :3]).astype(np.uint8)
+
+
+def finite_part(scan, colors):
+    """The points of a scan with finite coordinates, with the cells between them, and their colors."""
+    finite = finite_points.flags_of(scan)
+    if finite.all():
+        return scan, colors
+    surface = scan
+    if not isinstance(scan, vtkPolyData):
+        surface = vtkPolyData()
+        surface.SetPoints(scan.GetPoints())
+    return finite_points.with_points(surface, finite), colors[finite]
 
 
 def baked(painted, scan, colors, side=None):

@@ -15,6 +15,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 import conformalsom
 from conformalsom import (
     vtkConformalSOM, vtkConsistentRemesh, vtkGenusZeroCheck, vtkGlobalConformalMap, vtkSphericalRegistration)
+from conformalsom.messages import errors_outside
 
 from . import finite_points, outputs, scan_files, shape_landmarks
 from .plan import Paths
@@ -87,9 +88,8 @@ def read(steps, path):
 def mapped(step, _, steps):
     """A scan's closed surface with a map to the sphere, and with the vector that the reader subtracted, for landmarks."""
     scan = scan_files.scan_reader(step.scan)
-    steps.take_outside_messages()
-    steps.run("Read the scan", scan)
-    broken = [text for text in steps.take_outside_messages() if text.startswith("Error")]
+    with errors_outside() as broken:
+        steps.run("Read the scan", scan)
     if broken:
         raise ValueError(f"{step.scan}: {broken[0]}")
     data = finite_points.kept(scan.GetOutputDataObject(0), steps)

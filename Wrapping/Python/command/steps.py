@@ -2,8 +2,6 @@
 import sys
 import time
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-
 from conformalsom.messages import FilterFailed, heard
 
 from .progress import printable
@@ -61,15 +59,6 @@ class Steps:
         """Show a warning that is not of a filter."""
         self.warnings.append(f"{label}: {text}")
         self.ended(label, [text])
-
-    @staticmethod
-    def take_outside_messages():
-        """What VTK has told since outside of any algorithm, if its output window is a vtkStringOutputWindow."""
-        window = vtkOutputWindow.GetInstance()
-        if not isinstance(window, vtkStringOutputWindow):
-            return []
-        vtkOutputWindow.SetInstance(vtkStringOutputWindow())
-        return window.GetOutput().splitlines()
 
     def interrupt(self, number, _):
         """A signal handler: abort the filter that runs, or stop at once if none does."""

@@ -8,6 +8,7 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
     vtkTexturedSurfaceWriter)
+from conformalsom.messages import errors_outside
 
 from . import details, finite_points, labels, outputs, pictures, report, scan_colors, scan_files, textures
 from .plan import Paths
@@ -185,10 +186,9 @@ def make_surface(task, texture, options, steps):
     """
     scan_path, paths = task.scan, task.paths
     scan = scan_files.scan_reader(scan_path)
-    steps.take_outside_messages()
-    steps.run("Read the scan", scan)
-    broken = [text for text in steps.take_outside_messages() if text.startswith("Error")]
-    if broken:  # so VTK's reader of .vtk tells of a file that ends early
+    with errors_outside() as broken:
+        steps.run("Read the scan", scan)
+    if broken:
         raise ValueError(f"{scan_path}: {broken[0]}")
     points = finite_points.kept(scan.GetOutputDataObject(0), steps)
     if points.GetNumberOfPoints() == 0:

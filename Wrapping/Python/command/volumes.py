@@ -7,6 +7,7 @@ from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNr
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 import conformalsom
+from conformalsom.messages import errors_outside
 
 from . import outputs
 
@@ -141,9 +142,8 @@ def read(path, steps, label, time=0.0):
     """The volume at a time, and its unit. Raises StepFailed or ValueError for a file that cannot be read."""
     reader = volume_reader(path)
     expect_header(path, reader)
-    steps.take_outside_messages()
-    steps.run(label, reader, lambda: reader.UpdateTimeStep(time))
-    broken = [text for text in steps.take_outside_messages() if text.startswith("Error")]
+    with errors_outside() as broken:
+        steps.run(label, reader, lambda: reader.UpdateTimeStep(time))
     if broken:
         raise ValueError(f"{path}: {broken[0]}")
     expect_one_volume(path, reader)
