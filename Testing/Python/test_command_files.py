@@ -2,7 +2,9 @@
 rights; what cannot be written is noticed before any work; and checks cost in proportion to the number of files."""
 import contextlib
 import errno
+import io
 import os
+import resource
 import stat
 import subprocess
 import tempfile
@@ -12,6 +14,7 @@ from unittest import mock
 
 import conformalsom
 from conformalsom.command import main, outputs, plan, scan_files
+from conformalsom.command.steps import Steps
 from conformalsom.messages import heard
 from samples import write_las
 from test_command import COARSE, COMMAND, command, egg, files_in, textures, write
@@ -328,6 +331,17 @@ class TestReplacing(Folder):
                 self.assertGreater(os.path.getsize(self.file(name)), 3)
 
 
+@contextlib.contextmanager
+def limited_files(size):
+    """Let no file of this process become larger during the block."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
 class TestWords(Folder):
     """Errors in plain words."""
 
@@ -371,6 +385,22 @@ class TestWords(Folder):
         run = command(self.folder, "map.las", *COARSE, "-o", "map.ply")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertRegex(run.stderr, "Read the scan: coordinates are large; [0-9]+ [0-9]+ [0-9]+ is subtracted")
+
+    def test_full_disk(self):
+        """A limit of size acts as a full disk: the error names the file and the reason, and old files stay."""
+        for extension in (".3mf", ".obj", ".ply", ".stl", ".vtk", ".vtp"):
+            with self.subTest(extension):
+                put("old", self.file("x" + extension))
+                before = files_in(self.folder)
+                writer = outputs.writer_of("x" + extension, painted=False)
+                writer.SetInputData(egg())
+                with limited_files(2000), contextlib.redirect_stdout(io.StringIO()):
+                    with self.assertRaises((OSError, RuntimeError)) as raised:
+                        outputs.write(Steps(), writer, self.file("x" + extension))
+                self.assertRegex(main.jobs.message_of(raised.exception),
+                                 fr"^(Write x{extension}: )?{self.file('x' + extension)}"
+                                 r"(: | cannot be written: )(File too large|.*; is the disk full\?)$")
+                self.assertEqual(files_in(self.folder), before)
 
     def test_filter_that_fails_without_a_reason(self):
         class Fails(VTKPythonAlgorithmBase):

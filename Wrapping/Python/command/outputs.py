@@ -19,6 +19,7 @@ from .threemf import ThreeMFWriter
 
 PREFIX = ".conformalsom-"  # of what is not finished
 ACCESS_LIST = "system.posix_acl_access"
+FIRST_VTK_ERROR, OUT_OF_DISK_SPACE = 20000, 20007  # of vtkErrorCode.h, which is not wrapped; errno is below
 
 # What takes a picture too, and what then lies beside the file.
 PAINTED = {".glb": (), ".obj": (".mtl", ".png"), ".ply": (".png",)}
@@ -261,17 +262,35 @@ def succeeds(call, *arguments):
 
 def write(steps, writer, path, token=None, overwrite=True, shared=(), files=None):
     """Write a file by a writer that has its inputs: whole, or not at all. See whole() for the other arguments."""
-    label = f"Write {os.path.basename(path)}"
     with whole(path, token, files, overwrite, shared) as part:
-        writer.SetFileName(part)
-        try:
-            steps.run(label, writer, writer.Write)
-        except FilterFailed as error:  # which names what only writing needs
-            raise type(error)(str(error).replace(part, path)) from None
-        if isinstance(writer, vtkOBJWriter):  # which does not notice a full disk
-            expect_polygons(part, writer.GetInputDataObject(0, 0).GetNumberOfPolys(), path)
-        if not os.path.exists(part):
-            raise OSError(errno.EIO, "it could not be written", path)
+        write_part(steps, writer, part, path)
+
+
+def write_part(steps, writer, part, path):
+    """Write an unfinished file by a writer that has its inputs; errors name the path that the file is to have."""
+    writer.SetFileName(part)
+    try:
+        steps.run(f"Write {os.path.basename(path)}", writer, writer.Write)
+    except FilterFailed as error:  # which names what only writing needs
+        expect_space(writer, path)
+        raise type(error)(str(error).replace(part, path)) from None
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, path if error.filename == part else error.filename) from error
+    if isinstance(writer, vtkOBJWriter):  # which does not notice a full disk
+        expect_polygons(part, writer.GetInputDataObject(0, 0).GetNumberOfPolys(), path)
+    if not os.path.exists(part):
+        raise OSError(errno.EIO, "it could not be written", path)
+
+
+def expect_space(writer, path):
+    """Raise OSError if a writer of VTK failed because it could not write all: its message misleads, or there is none."""
+    code = writer.GetErrorCode()
+    if not type(writer).__module__.startswith("vtkmodules."):  # ours give the reason
+        return
+    if 0 < code < FIRST_VTK_ERROR:  # an error of the system
+        raise OSError(code, os.strerror(code), path)
+    if code == OUT_OF_DISK_SPACE:  # for all errors of a stream
+        raise OSError(errno.EIO, "it could not be written completely; is the disk full?", path)
 
 
 def expect_polygons(part, number, path):
@@ -279,4 +298,4 @@ def expect_polygons(part, number, path):
     with open(part, "rb") as file:
         data = file.read()
     if not data.endswith(b"\n") or data.count(b"\nf ") != number:
-        raise OSError(errno.EIO, "it could not be written completely", path)
+        raise OSError(errno.EIO, "it could not be written completely; is the disk full?", path)

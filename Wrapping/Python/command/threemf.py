@@ -49,6 +49,7 @@ class ThreeMFWriter(VTKPythonAlgorithmBase):
     def __init__(self):
         super().__init__(nInputPorts=1, inputType="vtkPolyData", nOutputPorts=0)
         self.path = ""
+        self.problem = None
 
     def SetInputData(self, surface):  # pylint: disable=invalid-name
         """Set the surface."""
@@ -59,16 +60,27 @@ class ThreeMFWriter(VTKPythonAlgorithmBase):
         self.path = path
 
     def Write(self):  # pylint: disable=invalid-name
-        """Write the file."""
+        """Write the file. Raises OSError, with the name of the file, or MemoryError if this fails."""
+        self.problem = None
         self.Modified()
         self.Update()
+        if self.problem is not None:
+            raise self.problem
 
     def RequestData(self, _request, inputs, _outputs):  # pylint: disable=invalid-name
-        """Write the file of the current input."""
-        surface = vtkPolyData.GetData(inputs[0])
+        """Write the file of the current input, and keep an error, which VTK would drop."""
+        try:
+            self.write_file(vtkPolyData.GetData(inputs[0]))
+        except OSError as error:
+            self.problem = OSError(error.errno, error.strerror, self.path)
+        except MemoryError as error:
+            self.problem = error
+        return 1
+
+    def write_file(self, surface):
+        """Write the file of a surface."""
         triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
         model = model_of(vtk_to_numpy(surface.GetPoints().GetData()), triangles)
         with zipfile.ZipFile(self.path, "w", zipfile.ZIP_DEFLATED) as file:
             for name, text in (("[Content_Types].xml", TYPES), ("_rels/.rels", RELATIONS), (MODEL, model)):
                 file.writestr(zipfile.ZipInfo(name, DATE), text, zipfile.ZIP_DEFLATED)
-        return 1
