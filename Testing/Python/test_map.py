@@ -19,7 +19,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 from conformalsom import vtkConformalPLYReader, vtkGeodesicSphereSource
-from conformalsom.command import jobs, main, map_picture, mapped_files, maps
+from conformalsom.command import geotiff, jobs, main, map_picture, mapped_files, maps
+from conformalsom.command.plan import WrongUsage
 from conformalsom.command.steps import Steps
 
 try:
@@ -239,6 +240,34 @@ class TestMap(unittest.TestCase):
         self.assertRegex(finished.stderr, r"^conformalsom: .*\n$")
         self.assertIn(text, finished.stderr)
 
+    def test_statistics_of_an_earlier_map_are_removed(self):
+        """As GDAL does. Without --overwrite, or if one is an input, nothing is written or removed."""
+        target, body = self.path_of("again.tif"), self.path_of("again.tif.ovr")
+        companions = [target + extension for extension in (".aux.xml", ".msk", ".ovr")]
+        shutil.copy(self.body, body)
+        for path in companions[:2]:
+            with open(path, "w", encoding="ascii") as file:
+                file.write("of an earlier map")
+        for scan, more, text in ((self.body, (), "again.tif.aux.xml already exists"),
+                                 (body, ("--overwrite",), "again.tif.ovr is an input")):
+            made = conformalsom("map", scan, "-o", target, "--width", 32, *more)
+            self.assertEqual(made.returncode, 2)
+            self.assertIn(text, made.stderr)
+            self.assertEqual([os.path.exists(path) for path in (target, *companions)], [False, True, True, True])
+        made = conformalsom("map", self.body, "-o", target, "--width", 32, "--overwrite")
+        self.assertEqual((made.returncode, made.stderr), (0, ""))
+        self.assertEqual([os.path.exists(path) for path in (target, *companions)], [True, False, False, False])
+        os.remove(target)
+
+    def test_reference_systems_are_in_degrees(self):
+        """Planetary systems, planetocentric and others; none that are projected, geocentric, rotated or in gons."""
+        for code in ("EPSG:4326", "IAU_2015:49900", "IAU_2015:49902", "IAU_2015:200000400", "+proj=longlat +R=1000"):
+            geotiff.expect_available(code)
+        for code in ("IAU_2015:49910", "EPSG:4978", "EPSG:5773", "EPSG:4807",
+                     "+proj=ob_tran +o_proj=longlat +o_lat_p=30 +lon_0=10"):
+            with self.subTest(code), self.assertRaisesRegex(WrongUsage, "expected a system of longitude and latitude"):
+                geotiff.expect_available(code)
+
     def test_lack_of_memory_is_an_error_in_one_line(self):
         """Errors of NumPy, which filters do not report."""
         with mock.patch.object(maps, "bands_of", side_effect=MemoryError), mock.patch.object(
@@ -253,6 +282,7 @@ class TestMap(unittest.TestCase):
                             (("-o", self.path), "already exists"),
                             (("-o", target, "--axis", 0, 0, 0), "not zero"),
                             (("-o", target, "--crs", "IAU_2015:nothing"), "--crs"),
+                            (("-o", target, "--crs", "EPSG:32633"), "longitude and latitude in degrees"),
                             (("-o", target, "--width", 3), "not in [16, 40000]")]:
             with self.subTest(words):
                 result = conformalsom("map", self.body, *words)

@@ -1,5 +1,6 @@
 """Write numbers on a map as a GeoTIFF, by GDAL's module for Python."""
 import errno
+import math
 import os
 import sys
 import typing
@@ -19,16 +20,30 @@ UNITS = {"slope": "degree", "area": "m2"}  # all others: m
 
 
 def expect_available(crs):
-    """Raise WrongUsage without GDAL, and for a reference system that it does not know."""
+    """Raise WrongUsage without GDAL, and for a reference system that it does not know or that is not in degrees."""
     if gdal is None:
         raise WrongUsage("maps need GDAL's module for Python: install python3-gdal (Debian) or gdal (PyPI)")
     if crs:
         try:
-            osr.SpatialReference().SetFromUserInput(crs)
+            fits = is_in_degrees(crs)
         except RuntimeError as error:
             raise WrongUsage(f"--crs {crs}: {error}") from None
         except TypeError:  # a text that is not UTF-8
             raise WrongUsage(f"--crs {crs}: GDAL does not know it") from None
+        if not fits:
+            raise WrongUsage(f"--crs {crs}: expected a system of longitude and latitude in degrees, such as "
+                             "IAU_2015:200000400")
+
+
+def is_in_degrees(crs):
+    """Whether a reference system, as a file has it, is of longitude and latitude in degrees. Raises RuntimeError."""
+    system = osr.SpatialReference()
+    system.SetFromUserInput(crs)
+    written = osr.SpatialReference()  # also geographic where a code of IAU has planetocentric latitudes
+    written.ImportFromWkt(system.ExportToWkt())
+    if not written.IsGeographic() or written.IsDerivedGeographic():  # derived: rotated poles
+        return False
+    return math.isclose(written.GetAngularUnits(), math.radians(1.0), rel_tol=1e-9)
 
 
 def reference_system(crs, name, radius):

@@ -1,5 +1,6 @@
 """The command conformalsom map: a map of a body as a GeoTIFF of numbers, or as a picture."""
 import argparse
+import os
 import sys
 
 import numpy as np
@@ -54,8 +55,9 @@ def make_parser():
                         help="center of the body, in the unit of BODY; default 0 0 0")
     parser.add_argument("--axis", nargs=3, type=float, default=(0.0, 0.0, 1.0), metavar=("X", "Y", "Z"),
                         help="direction of north; default 0 0 1")
-    parser.add_argument("--crs", metavar="CODE", help="coordinate reference system as GDAL knows it, such as "
-                        "IAU_2015:200000400; default: longitude and latitude on a sphere of the body's mean radius")
+    parser.add_argument("--crs", metavar="CODE", help="coordinate reference system of longitude and latitude in "
+                        "degrees, as GDAL knows it, such as IAU_2015:200000400; default: longitude and latitude on a "
+                        "sphere of the body's mean radius")
     parser.add_argument("--picture", metavar="FILE", help="also draw the heights with labels, a legend and a scale; .png "
                         "or .jpg")
     parser.add_argument("--overwrite", action="store_true", help="replace files")
@@ -76,12 +78,21 @@ def expect_sense(options):
             expect_utf8(path)
             expect_extension(path, extensions)
             checks.expect_free(path)
+    for path in companions_of(options.output):  # which will be removed
+        checks.expect_free(path)
     checks.expect_no_file_is_a_folder()
     if not abs(options.central_longitude) <= 360.0:
         raise WrongUsage("--central-longitude must be in [-360, 360]")
     if not np.isfinite([*options.center, *options.axis]).all() or not np.any(options.axis):
         raise WrongUsage("--center and --axis must be finite, and --axis not zero")
     geotiff.expect_available(options.crs)
+
+
+def companions_of(path):
+    """Files that GDAL has made for a map: statistics, overviews and a mask. They are not those of a new map."""
+    names = dict.fromkeys((path, os.path.realpath(path)))  # GDAL looks for them beside a link, too
+    return [name + extension for name in names for extension in (".aux.xml", ".ovr", ".msk")
+            if os.path.lexists(name + extension)]
 
 
 def run(options, bar):
@@ -101,6 +112,8 @@ def run(options, bar):
     with outputs.whole(options.output, files=[options.output], overwrite=options.overwrite) as path:
         with outputs.named_errors(options.output):
             geotiff.write(path, bands, options.central_longitude, name, float(points.mean()), options.crs)
+    for companion in companions_of(options.output):
+        os.remove(companion)
     if options.picture:
         write_picture(options, bands, name, steps)
     bar.clear()
