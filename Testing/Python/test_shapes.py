@@ -1,7 +1,10 @@
 """conformalsom shapes: a family made by code has the two modes it was made with, a call continues after a stop with the
 same bytes, unsuitable inputs leave no results, R reads the tables, and the page moves the surface."""
+import contextlib
 import csv
+import errno
 import glob
+import io
 import json
 import os
 import re
@@ -11,6 +14,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -21,6 +25,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from browser import CHROMIUM, Browser
 from conformalsom import (
     vtkConformalPLYReader, vtkConformalPLYWriter, vtkGeodesicSphereSource, vtkSphericalTemplate, vtkTextCloudWriter)
+from conformalsom.command import outputs, shape_results, shapes
+from conformalsom.command.steps import Steps
 from samples import write_las
 from test_command import COMMAND, command, files_in, read, write
 
@@ -319,14 +325,18 @@ class TestStops(unittest.TestCase):
         self.assertEqual([name for name in one if one[name] != two.get(name)], [])
 
     def test_an_error_leaves_no_files(self):
+        """A folder that comes into being meanwhile, at the place of a file, is noticed at the end."""
         folder = os.path.join(self.folder, "study")
-        os.makedirs(os.path.join(folder, "mean.vtp"))
-        os.mkdir(os.path.join(folder, "work"))
-        run = command(self.folder, "shapes", *self.names, "-o", "study", *SMALL)
-        self.assertEqual(run.returncode, 1)
-        self.assertIn("mean.vtp is not a regular file", run.stderr)
-        self.assertIn("inspect the surface, or add landmarks by --landmarks", run.stderr)
-        self.assertNotIn("output port", run.stderr)
+        process = subprocess.Popen([COMMAND, "shapes", *self.names, "-o", folder, *SMALL], cwd=self.folder, text=True,
+                                   stderr=subprocess.PIPE)
+        while process.poll() is None and not glob.glob(os.path.join(folder, "work", "*.vtp")):
+            time.sleep(0.002)
+        os.mkdir(os.path.join(folder, "mean.vtp"))
+        stderr = process.communicate()[1]
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("mean.vtp is not a regular file", stderr)
+        self.assertIn("inspect the surface, or add landmarks by --landmarks", stderr)
+        self.assertNotIn("output port", stderr)
         self.assertEqual(sorted(os.listdir(folder)), ["mean.vtp", "work"])
 
     def test_scans_are_added_and_results_replaced(self):
@@ -344,6 +354,106 @@ class TestStops(unittest.TestCase):
                          ["surfaces/mine.txt", "surfaces/shape 00.vtp", "surfaces/shape 01.vtp"])
         self.assertEqual({path: os.stat(path).st_mtime_ns for path in maps}, maps)
         self.assertEqual(len(table(self.folder, "study", "scores.csv")), 2)
+        shutil.rmtree(work)  # as the guide permits
+        self.assertEqual(self.study("study", "--overwrite", "--format", ".vtp", "--alignment", "similarity"), results)
+
+
+class TestPlaces(unittest.TestCase):
+    """Results take their places all together, and only where they replace nothing else."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="places of ")
+        self.addCleanup(temporary.cleanup)
+        self.folder = os.path.join(temporary.name, "study")
+        self.scans = [os.path.join(temporary.name, name) for name in ("a.ply", "b.ply")]
+        for path in self.scans:
+            self.put("scan", path)
+
+    def put(self, text, *path):
+        path = os.path.join(self.folder, *path)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+
+    def publish(self, names, overwrite=True):
+        with shape_results.Results(self.folder, "token", Steps()) as results:
+            for name in names:
+                results.text(name, "new " + name)
+            results.text("study.json", json.dumps({"Files": [*names, "study.json"]}))
+            results.publish(overwrite)
+
+    def refuses(self, message, *arguments):
+        before, output = files_in(self.folder), io.StringIO()
+        with contextlib.redirect_stderr(output), self.assertRaises(SystemExit) as raised:
+            shapes.arguments([*self.scans, "-o", self.folder, *arguments])
+        self.assertEqual(raised.exception.code, 2)
+        self.assertIn(message, output.getvalue())
+        self.assertEqual(files_in(self.folder), before)
+
+    def accepts(self, *arguments):
+        shapes.arguments([*self.scans, "-o", self.folder, *arguments])
+
+    def test_all_files_take_their_places_or_none(self):
+        """The error names the place, whichever file cannot be moved there: on the way, or before."""
+        os.mkdir(self.folder)
+        self.publish(["surfaces/a.ply", "mean.vtp"])
+        os.chmod(os.path.join(self.folder, "study.json"), 0o640)
+        before, real = files_in(self.folder), os.replace
+        self.assertEqual(sorted(before), ["mean.vtp", "study.json", "surfaces/a.ply"])
+        for failing in ("surfaces/a.ply", "modes/m.ply", "scores.csv", "study.json"):
+            def fail(source, target, failing=failing):
+                if target.endswith(failing) and source.endswith(".new"):
+                    raise OSError(errno.EACCES, "no", source)
+                real(source, target)
+            with self.subTest(failing), mock.patch.object(os, "replace", fail):
+                with self.assertRaises(OSError) as raised:
+                    self.publish(["surfaces/a.ply", "modes/m.ply", "mean.vtp", "scores.csv"])
+                self.assertEqual(raised.exception.filename, os.path.join(self.folder, failing))
+                self.assertEqual(files_in(self.folder), before)
+                self.assertEqual(sorted(os.listdir(self.folder)), ["mean.vtp", "study.json", "surfaces"])
+        self.publish(["modes/m.ply", "mean.vtp"])
+        self.assertEqual(sorted(files_in(self.folder)), ["mean.vtp", "modes/m.ply", "study.json"])
+        self.assertEqual(os.stat(os.path.join(self.folder, "study.json")).st_mode & 0o777, 0o640)
+
+    def test_what_came_into_being_meanwhile_is_kept(self):
+        for name in ("study.json", "scores.csv"):
+            self.put("mine", name)
+            with self.assertRaisesRegex(OSError, "in the meantime"):
+                self.publish(["scores.csv"], overwrite=False)
+            self.assertEqual(files_in(self.folder), {name: b"mine"})
+            os.remove(os.path.join(self.folder, name))
+
+    def test_other_files_are_kept(self):
+        """A stopped call leaves the folder work, and a killed one also unfinished files."""
+        self.put("{}", "work", "map.vtp")
+        self.put("", ".conformalsom-0", "mean.vtp")
+        self.accepts()
+        self.put("mine", "index.html")
+        self.refuses("study has more than the folder work; use --overwrite")
+        self.accepts("--overwrite")
+        shutil.rmtree(os.path.join(self.folder, "work"))
+        self.refuses("study has files that are not of a study", "--overwrite")
+        self.put("{}", "study.json")
+        self.refuses("study has a study already")
+        self.accepts("--overwrite")
+        self.put("a file", "work")
+        self.refuses("work is not a folder", "--overwrite")
+
+    def test_places_that_cannot_be_written_are_noticed_before_any_work(self):
+        self.put("{}", "study.json")
+        self.put("old", "modes", "mode1_+1.ply")
+        self.put("old", "work", "map.vtp")
+        real = outputs.may
+        for name, message in (("modes", "modes cannot be written to"),
+                              ("modes/mode1_+1.ply", "mode1_+1.ply cannot be replaced"),
+                              ("work", "work: this user may not write it")):
+            def may(path, mode, locked=os.path.realpath(os.path.join(self.folder, name))):
+                return os.path.realpath(path) != locked and real(path, mode)
+            with self.subTest(name), mock.patch.object(outputs, "may", may):
+                self.refuses(message, "--overwrite")
+        self.accepts("--overwrite")
+        os.symlink(os.path.dirname(self.folder), os.path.join(self.folder, "surfaces"))
+        self.refuses("surfaces/a.ply is an input and would be replaced", "--overwrite")
 
 
 class TestLandmarks(unittest.TestCase):

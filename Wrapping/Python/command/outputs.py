@@ -185,19 +185,21 @@ def take_places(files, token):
     for number, (part, place) in enumerate(files):
         folder = stage(place, token)
         new = os.path.join(folder, f"{number}.new")
-        shutil.move(part, new)  # copies if a link leads to another file system
-        if place.old is not None:
-            copy_access(place, new)
-        flush(new)
+        with named_errors(place.name):
+            shutil.move(part, new)  # copies if a link leads to another file system
+            if place.old is not None:
+                copy_access(place, new)
+            flush(new)
         ready.append((new, os.path.join(folder, f"{number}.old"), place))
     begun, taken = [], set()
     try:
         for new, kept, place in ready:
             begun.append((kept, place))
-            place.expect_regular()  # writing may have taken long
-            if place.old is not None:
-                keep(place.path, kept)
-            os.replace(new, place.path)
+            with named_errors(place.name):
+                place.expect_regular()  # writing may have taken long
+                if place.old is not None:
+                    keep(place.path, kept)
+                os.replace(new, place.path)
             taken.add(place)
     except BaseException:
         for kept, place in reversed(begun):

@@ -3,7 +3,6 @@ import contextlib
 import csv
 import json
 import os
-import shutil
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -33,7 +32,7 @@ def make(step, options, _, steps):
               "NumberOfLandmarks": len(options.landmarks_of[0]) if options.landmarks_of else 0}
     if options.groups_of:
         report.update(tested(surfaces, mean, options, steps))
-    with Results(os.path.join(options.output, outputs.PREFIX + step.token), steps) as results:
+    with Results(options.output, step.token, steps) as results:
         for name, surface in zip(options.names, surfaces):
             results.surface(os.path.join("surfaces", name + options.format), surface)
         for k in range(kept):
@@ -50,7 +49,7 @@ def make(step, options, _, steps):
         report["Files"] = results.names
         results.text(REPORT, json.dumps(report, indent=2) + "\n")
         with jobs.blocked_signals():
-            results.publish(options.output)
+            results.publish(options.overwrite)
     entry = {"Scan": step.scan, "Surface": {"NumberOfPoints": mean.GetNumberOfPoints()}, "Seconds": steps.seconds,
              "Warnings": steps.warnings}
     return entry, summary_of(shares[:kept], report)
@@ -97,18 +96,35 @@ def varied(mean, mode, sigmas):
     return shape
 
 
+def names_of(options):
+    """Names of all files that a study may write."""
+    modes = (f"mode{k + 1}_{sigmas:+}" for k in range(min(options.modes, len(options.names))) for sigmas in SIGMAS)
+    return [*(os.path.join("surfaces", name + options.format) for name in options.names),
+            *(os.path.join("modes", name + options.format) for name in modes),
+            "mean.vtp", "scores.csv", "variance.csv", "index.html", REPORT]
+
+
 class Results:
     """Files that are made in a folder of their own, and take their places together. The block removes the folder."""
 
-    def __init__(self, folder, steps):
-        self.folder, self.steps, self.names = folder, steps, []
-        os.mkdir(folder, 0o700)
+    def __init__(self, output, token, steps):
+        self.output, self.token, self.steps = output, token, steps
+        self.names, self.made = [], []  # of files, and of new folders
+        self.folder = os.path.join(output, outputs.PREFIX + token)
+        os.mkdir(self.folder, 0o700)
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        shutil.rmtree(self.folder, ignore_errors=True)
+        outputs.discard(map(self.place, [REPORT, *self.names]), self.token)
+        for folder in self.made:
+            with contextlib.suppress(OSError):  # it has files now
+                os.rmdir(folder)
+
+    def place(self, name):
+        """Where a file is to be."""
+        return os.path.join(self.output, name)
 
     def path(self, name):
         """Where to write a file for now."""
@@ -121,36 +137,60 @@ class Results:
         """Write a surface."""
         writer = outputs.writer_of(name, painted=False)
         writer.SetInputData(surface)
-        outputs.write(self.steps, writer, self.path(name))
+        outputs.write_part(self.steps, writer, self.path(name), self.place(name))
 
     def table(self, name, head, rows):
         """Write a table."""
-        with open(self.path(name), "w", encoding="utf-8", newline="") as file:
+        with outputs.named_errors(self.place(name)), open(self.path(name), "w", encoding="utf-8", newline="") as file:
             csv.writer(file, lineterminator="\n").writerows([head, *rows])
 
     def text(self, name, text):
         """Write a text."""
-        with open(self.path(name), "w", encoding="utf-8") as file:
+        with outputs.named_errors(self.place(name)), open(self.path(name), "w", encoding="utf-8") as file:
             file.write(text)
 
-    def publish(self, output):
-        """Put all files into their places, the report last, and remove those of an earlier study."""
+    def publish(self, overwrite):
+        """Put all files into their places, or none, and remove those of an earlier study."""
         for name in self.names:
-            place = os.path.join(output, name)
+            place = self.place(name)
             if os.path.islink(place) or os.path.lexists(place) and not os.path.isfile(place):
                 raise ValueError(f"{place} is not a regular file")
-        stale = set(files_of_study(output)) - set(self.names)
-        for name in self.names:
-            outputs.flush(os.path.join(self.folder, name))
-        with contextlib.suppress(FileNotFoundError):
-            os.unlink(os.path.join(output, REPORT))  # what is there from now on is not complete
-        for name in self.names:
-            place = os.path.join(output, name)
-            os.makedirs(os.path.dirname(place), exist_ok=True)
-            os.replace(os.path.join(self.folder, name), place)
-        for name in stale:
-            with contextlib.suppress(FileNotFoundError):
-                os.unlink(os.path.join(output, name))
+        stale = set(files_of_study(self.output)) - set(self.names)
+        for folder in {os.path.dirname(self.place(name)) for name in self.names}:
+            if not os.path.isdir(folder):
+                os.mkdir(folder)
+                self.made.append(folder)
+        places = {name: outputs.Place(self.place(name), overwrite) for name in self.names}
+        files = [(os.path.join(self.folder, name), place) for name, place in places.items()]
+        with self.set_aside(places[REPORT]):
+            outputs.take_places(files, self.token)
+        self.remove(stale)
+
+    @contextlib.contextmanager
+    def set_aside(self, report):
+        """Move an old report away during the block, while files are of two studies; after an error, put it back."""
+        if report.old is None:
+            yield
+            return
+        kept = os.path.join(self.folder, "earlier")
+        outputs.copy_access(report, os.path.join(self.folder, REPORT))
+        os.rename(report.path, kept)
+        report.old = None
+        try:
+            yield
+        except BaseException:
+            os.replace(kept, report.path)
+            raise
+
+    def remove(self, names):
+        """Remove files. A note names a file that cannot be removed: the study is complete nevertheless."""
+        for name in names:
+            try:
+                os.unlink(self.place(name))
+            except FileNotFoundError:
+                pass
+            except OSError as error:
+                self.steps.note("Remove the earlier study", f"{self.place(name)}: {error.strerror}")
 
 
 def files_of_study(folder):

@@ -3,7 +3,7 @@ import argparse
 import os
 
 from . import jobs, outputs, shape_groups, shape_landmarks, shape_page, shape_results, shape_steps
-from .plan import Paths, WrongUsage, expect_directions, expect_name, expect_utf8, in_range, parsed, positive
+from .plan import Checks, Paths, WrongUsage, expect_directions, expect_name, expect_utf8, in_range, parsed, positive
 from .scan_files import inputs_of, scan_reader
 
 DESCRIPTION = """\
@@ -24,6 +24,7 @@ files in FOLDER:
 
 exit status: as that of conformalsom. After an error, results are not written."""
 
+WORK = "work"  # name of the folder of surfaces that are registered
 FORMATS = [extension for extension in outputs.SURFACES if extension not in (".glb", ".html")]
 
 
@@ -88,8 +89,9 @@ def expect_folder(options):
     folder = options.output
     expect_name(folder)
     real = os.path.realpath(folder)
-    tables = [table for table in (options.groups, options.landmarks) if table]
-    for path in [file for scan in options.scans for file in inputs_of(scan)] + tables:
+    inputs = [file for scan in options.scans for file in inputs_of(scan)]
+    inputs += [table for table in (options.groups, options.landmarks) if table]
+    for path in inputs:
         if os.path.realpath(path).startswith(os.path.join(real, "")):
             raise WrongUsage(f"{path} is an input, but lies in the folder to write")
     if not os.path.lexists(folder):
@@ -99,15 +101,32 @@ def expect_folder(options):
         if not (os.path.isdir(parent) and outputs.may(parent, os.W_OK | os.X_OK)):
             raise WrongUsage(f"{folder} cannot be made: no files can be made in {parent}")
         return
-    if not os.path.isdir(folder):
-        raise WrongUsage(f"{folder} is not a folder")
-    if not outputs.may(folder, os.W_OK | os.X_OK):
-        raise WrongUsage(f"{folder}: this user may not write it")
-    there = os.listdir(folder)
-    if there and "work" not in there:
+    work = os.path.join(folder, WORK)
+    for path in (folder, work) if os.path.lexists(work) else (folder,):
+        if not os.path.isdir(path):
+            raise WrongUsage(f"{path} is not a folder")
+        if not outputs.may(path, os.W_OK | os.X_OK):
+            raise WrongUsage(f"{path}: this user may not write it")
+    expect_study(options)
+    checks = Checks(inputs, options.overwrite)
+    for path in (os.path.join(folder, name) for name in shape_results.names_of(options)):
+        if os.path.islink(path):
+            raise WrongUsage(f"{path} is not a regular file")
+        checks.expect_free(path)
+
+
+def expect_study(options):
+    """Raise WrongUsage if the folder has files of no study, or without --overwrite more than a stopped call leaves."""
+    folder = options.output
+    there = {name for name in os.listdir(folder) if not name.startswith(outputs.PREFIX)}  # else of a killed call
+    if there and not there & {WORK, shape_results.REPORT}:
         raise WrongUsage(f"{folder} has files that are not of a study; use a new folder")
-    if shape_results.REPORT in there and not options.overwrite:
+    if options.overwrite:
+        return
+    if shape_results.REPORT in there:
         raise WrongUsage(f"{folder} has a study already; use --overwrite or another folder")
+    if there - {WORK}:
+        raise WrongUsage(f"{folder} has more than the folder {WORK}; use --overwrite to replace files, or another folder")
 
 
 class Failed(Exception):
@@ -119,7 +138,7 @@ class Study:
 
     def __init__(self, options, bar):
         self.options, self.bar = options, bar
-        self.work = os.path.join(options.output, "work")
+        self.work = os.path.join(options.output, WORK)
 
     def jobs(self, steps, make):
         """Do steps, each in a process of its own."""
