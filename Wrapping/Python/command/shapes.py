@@ -126,7 +126,7 @@ def expect_study(options):
     if shape_results.REPORT in there:
         raise WrongUsage(f"{folder} has a study already; use --overwrite or another folder")
     if there - {WORK}:
-        raise WrongUsage(f"{folder} has more than the folder {WORK}; use --overwrite to replace files, or another folder")
+        raise WrongUsage(f"{folder} has more than the folder {WORK}; use --overwrite or another folder")
 
 
 class Failed(Exception):
