@@ -6,7 +6,8 @@
  * texture coordinates.
  *
  * Output port 0: vtkPolyData, the points and polygons of a file with three-dimensional points. A
- * file begins with the keyword [ST][C][N][4][n]OFF, in which each prefix in brackets is optional.
+ * file begins with the keyword [ST][C][N][4][n]OFF, in which each prefix in brackets is optional,
+ * and the order of the first three does not matter.
  * Points of text files are double, and points of BINARY files are float. A file without the keyword
  * is also read, but CanReadFile() returns false for this file. With prefix 4, points have four
  * coordinates in the file: the first three are divided by the fourth.

@@ -29,12 +29,12 @@ std::size_t ExtensionOf(const std::string& name)
   return dot == name.npos || name[dot] == '/' ? name.size() : dot;
 }
 
-bool IsOBJ(const std::string& name)
+std::string LowerExtensionOf(const std::string& name)
 {
   std::string extension = name.substr(ExtensionOf(name));
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension == ".obj";
+  return extension;
 }
 
 // Return the name of the label beside a table: the file of the same name with the extension .lbl or
@@ -57,8 +57,13 @@ std::string LabelOf(const std::string& name)
 //------------------------------------------------------------------------------
 int vtkPlateModelReader::CanReadFile(const char* name)
 {
-  return name && !IsOBJ(name) && Superclass::StartsLike(name, conformal::looksLikePlateModel) ? 1
-                                                                                              : 0;
+  const std::string extension = name ? LowerExtensionOf(name) : ".obj";
+  const bool isNamed = extension == ".tab" || extension == ".ver";
+  return extension != ".obj" &&
+      Superclass::StartsLike(
+        name, isNamed ? conformal::looksLikeNamedPlateModel : conformal::looksLikePlateModel)
+    ? 1
+    : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -51,8 +51,8 @@ public:
   ///@{
   /**
    * Whether the decimal separator is a comma, as in 0,5. If on, commas do not separate numbers.
-   * Default is off: decimal commas in a file with blanks or semicolons between numbers cause an
-   * error.
+   * Default is off: commas are decimal separators only if semicolons separate the numbers, and no
+   * number has a point. Decimal commas in a file with blanks between numbers cause an error.
    */
   vtkSetMacro(DecimalComma, bool);
   vtkGetMacro(DecimalComma, bool);

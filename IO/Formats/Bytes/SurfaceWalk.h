@@ -105,16 +105,22 @@ inline void appendTuple(std::string& text, const NamedArray& array, std::size_t 
 /// Append a color as text. Each number of the color, a byte, is divided by 255 and follows a blank.
 /// The parsers of this library convert the fractions back to equal bytes. Other programs take a
 /// number without a point for a byte, so that 0 and 1 are written as 0.0 and 1.0.
-inline void appendColor(std::string& text, const NamedArray& colors, std::size_t tuple)
+inline void appendColor(
+  std::string& text, const NamedArray& colors, std::size_t tuple, std::size_t components)
 {
   constexpr float whole = 255.0F;
-  for (std::size_t c = 0; c < colors.Components; ++c)
+  for (std::size_t c = 0; c < components; ++c)
   {
     const auto value = static_cast<float>(valueOf(colors, tuple * colors.Components + c)) / whole;
     text += ' ';
     appendNumber(text, value);
     text += value == 0.0F || value == 1.0F ? ".0" : "";
   }
+}
+
+inline void appendColor(std::string& text, const NamedArray& colors, std::size_t tuple)
+{
+  appendColor(text, colors, tuple, colors.Components);
 }
 
 inline std::size_t numberOfPolygons(const SurfaceData& surface)

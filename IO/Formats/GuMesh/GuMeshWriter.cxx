@@ -19,6 +19,13 @@ void appendTrait(std::string& traits, const char* key, const NamedArray* array, 
   }
 }
 
+// The format has no opacity.
+void appendOpaque(std::string& text, const NamedArray& colors, std::size_t tuple)
+{
+  constexpr std::size_t components = 3;
+  appendColor(text, colors, tuple, components);
+}
+
 std::string inBraces(const std::string& traits)
 {
   return traits.empty() ? "\n" : " {" + traits + "}\n";
@@ -31,8 +38,8 @@ std::string makeGuMesh(const SurfaceData& surface, const Run& run)
   const NamedArray* sphere = findSpherePositions(surface);
   const NamedArray* normals = findArray(surface.PointArrays, "Normals", 3, isFloating);
   const NamedArray* tcoords = findArray(surface.PointArrays, "TCoords", 2, isFloating);
-  const NamedArray* colors = findArray(surface.PointArrays, "RGB", 3, isByte);
-  const NamedArray* polygonColors = findArray(surface.PolygonArrays, "RGB", 3, isByte);
+  const NamedArray* colors = findColors(surface.PointArrays);
+  const NamedArray* polygonColors = findColors(surface.PolygonArrays);
   std::string text;
   walk(
     surface, run,
@@ -44,7 +51,7 @@ std::string makeGuMesh(const SurfaceData& surface, const Run& run)
       appendTrait(traits, "sph", sphere, point, appendTuple);
       appendTrait(traits, "normal", normals, point, appendTuple);
       appendTrait(traits, "uv", tcoords, point, appendTuple);
-      appendTrait(traits, "rgb", colors, point, appendColor);
+      appendTrait(traits, "rgb", colors, point, appendOpaque);
       text += inBraces(traits);
     },
     [&](std::size_t polygon, const std::int64_t* ids, std::size_t count)
@@ -56,7 +63,7 @@ std::string makeGuMesh(const SurfaceData& surface, const Run& run)
         appendNumber(text, ids[c] + 1);
       }
       std::string traits;
-      appendTrait(traits, "rgb", polygonColors, polygon, appendColor);
+      appendTrait(traits, "rgb", polygonColors, polygon, appendOpaque);
       text += inBraces(traits);
     });
   return text;

@@ -39,9 +39,14 @@ OFFKeyword keywordOf(std::string_view word)
     word.remove_prefix(has ? prefix.size() : 0);
     return has;
   };
-  keyword.HasTCoords = take("ST");
-  keyword.HasColors = take("C");
-  keyword.HasNormals = take("N");
+  // Programs write these prefixes in any order; the order of the data is always the same.
+  constexpr int prefixes = 3;
+  for (int i = 0; i < prefixes; ++i)
+  {
+    keyword.HasTCoords = take("ST") || keyword.HasTCoords;
+    keyword.HasColors = take("C") || keyword.HasColors;
+    keyword.HasNormals = take("N") || keyword.HasNormals;
+  }
   keyword.IsHomogeneous = take("4");
   keyword.HasDimension = take("n");
   keyword.IsThere = word == "OFF";

@@ -8,6 +8,7 @@
 #include "PCD/PCDHeader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -270,10 +271,20 @@ private:
     NamedArray colors = makeArray(components == 4 ? "RGBA" : "RGB", ScalarType::UInt8, components);
     colors.Values.resize(packed.numberOfTuples() * components);
     constexpr int shifts[] = { 16, 8, 0, 24 };
+    // In a binary file, the bits of a float that is not a number are a color. A text has no bits.
+    const bool hasNumbers =
+      this->Header.Format == PCDFormat::Ascii && packed.Type == ScalarType::Float32;
     for (std::size_t i = 0; i < packed.numberOfTuples(); ++i)
     {
       std::uint32_t bits = 0;
+      float number = 0.0F;
       std::memcpy(&bits, packed.Values.data() + i * sizeof(bits), sizeof(bits));
+      std::memcpy(&number, &bits, sizeof(number));
+      if (hasNumbers && !std::isfinite(number))
+      {
+        bits = 0;
+        ++this->Data.ReplacedValues;
+      }
       for (std::size_t c = 0; c < components; ++c)
       {
         colors.Values[i * components + c] = static_cast<unsigned char>(bits >> shifts[c]);

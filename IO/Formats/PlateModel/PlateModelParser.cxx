@@ -359,17 +359,10 @@ private:
   double FirstIndex = 0.0;       ///< first number of the first row of vertices
   bool HasZero = false;          ///< vertices are numbered from 0
 };
-}
 
-//------------------------------------------------------------------------------
-SurfaceResult parsePlateModel(ByteReader& input, const ParseLimits& limits, const Run& run)
-{
-  return parseSurface(
-    [&](SurfaceData& data) { PlateModelReader(input, limits, run, data).read(); });
-}
-
-//------------------------------------------------------------------------------
-bool looksLikePlateModel(std::string_view start, std::uint64_t size)
+// Test whether bytes begin like a plate model. isNamed states whether the file has an extension of
+// plate models.
+bool beginsLikePlateModel(std::string_view start, std::uint64_t size, bool isNamed)
 {
   const std::size_t startSize = start.size();
   // Get the next complete line that is not blank.
@@ -428,6 +421,29 @@ bool looksLikePlateModel(std::string_view start, std::uint64_t size)
   const double rowBytes = static_cast<double>(before - start.size()) / rows;
   const double wanted = 6.0 * (counts[0] + 1.0) * (counts[0] + 1.0) * rowBytes;
   const auto bytes = static_cast<double>(size > 0 ? size : startSize);
-  return columns == 3 * rows && 0.5 * wanted < bytes && bytes < 2.0 * wanted;
+  const bool isOfGrids = 0.5 * wanted < bytes && bytes < 2.0 * wanted;
+  constexpr double longer = 1.3; // plates follow the vertices
+  const bool hasMore = bytes > longer * counts[0] * rowBytes;
+  return columns == 3 * rows && (isOfGrids || (isNamed && hasMore));
+}
+}
+
+//------------------------------------------------------------------------------
+SurfaceResult parsePlateModel(ByteReader& input, const ParseLimits& limits, const Run& run)
+{
+  return parseSurface(
+    [&](SurfaceData& data) { PlateModelReader(input, limits, run, data).read(); });
+}
+
+//------------------------------------------------------------------------------
+bool looksLikePlateModel(std::string_view start, std::uint64_t size)
+{
+  return beginsLikePlateModel(start, size, false);
+}
+
+//------------------------------------------------------------------------------
+bool looksLikeNamedPlateModel(std::string_view start, std::uint64_t size)
+{
+  return beginsLikePlateModel(start, size, true);
 }
 }

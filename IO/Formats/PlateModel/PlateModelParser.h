@@ -41,6 +41,12 @@ SurfaceResult parsePlateModel(
 ///   of 6 (q + 1)^2 such rows.
 /// @param[in] size  size of the file [bytes]; 0: the bytes are the whole file
 bool looksLikePlateModel(std::string_view start, std::uint64_t size = 0);
+
+/// Test whether the first bytes of a file with an extension of plate models identify one. Besides
+/// the cases of looksLikePlateModel(), the bytes may begin with a number and three rows X Y Z, if
+/// the file is longer than this number of rows. Without the extension, such a file can also be a
+/// cloud of several scans.
+bool looksLikeNamedPlateModel(std::string_view start, std::uint64_t size = 0);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <optional>
 
 namespace conformal
@@ -121,6 +122,18 @@ double spacingOf(const TIFFDirectory& page, TIFFTag tag)
   return spacing > 0.0 && std::isfinite(spacing) ? spacing : 1.0;
 }
 
+// Return the length of a unit of time in seconds, or 1 if the unit is unknown.
+double secondsOf(const std::string& unit)
+{
+  static const std::map<std::string, double> units = { { "us", 1e-6 }, { "\\u00B5s", 1e-6 },
+    { "ms", 1e-3 }, { "msec", 1e-3 }, { "s", 1.0 }, { "sec", 1.0 }, { "second", 1.0 },
+    { "seconds", 1.0 }, { "min", 60.0 }, { "minute", 60.0 }, { "minutes", 60.0 }, { "h", 3600.0 },
+    { "hr", 3600.0 }, { "hour", 3600.0 }, { "hours", 3600.0 }, { "d", 86400.0 }, { "day", 86400.0 },
+    { "days", 86400.0 } };
+  const auto found = units.find(unit);
+  return found == units.end() ? 1.0 : found->second;
+}
+
 void readUnits(const TIFFDirectory& page, TIFFStackInfo& info)
 {
   constexpr double ofDescription = 1.0; // the resolution is in the unit of the description, if any
@@ -137,7 +150,9 @@ void readUnits(const TIFFDirectory& page, TIFFStackInfo& info)
   }
   const double apart = std::abs(numberOf(page.Description, "spacing", 0.0));
   info.Spacing[2] = apart > 0.0 ? apart : 1.0;
-  const double interval = numberOf(page.Description, "finterval", 0.0);
+  // ImageJ states no unit of time for seconds.
+  const double seconds = secondsOf(valueOf(page.Description, "tunit").value_or("sec"));
+  const double interval = seconds * numberOf(page.Description, "finterval", 0.0);
   info.FrameInterval = interval > 0.0 ? interval : 1.0;
 }
 
@@ -177,6 +192,12 @@ TIFFStackInfo infoOf(TIFFFile& file, const Directories& pages)
   info.Height = static_cast<std::size_t>(height);
   info.Type = typeOf(file, first);
   info.Slices = pages.size();
+  if (pages.size() > 1 && first.Description.find("<OME") != std::string::npos)
+  {
+    refuse(file,
+      "the file is an OME-TIFF, whose description of channels, slices and frames is not read; save "
+      "the file as TIFF in ImageJ");
+  }
   if (isOfImageJ(first))
   {
     const std::size_t images = countOf(first.Description, "images");

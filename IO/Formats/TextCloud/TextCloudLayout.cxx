@@ -85,7 +85,7 @@ struct Sample
   std::string Names;
   std::size_t NamesLine = 0;
   std::vector<std::string_view> Lines; // lines of numbers
-  std::size_t FirstLine = 0;
+  std::vector<std::size_t> Numbers;    // of these lines, counted from 1
   std::size_t FirstOffset = 0;
 };
 
@@ -129,10 +129,10 @@ Sample takeSample(std::string_view start, bool isWhole)
     {
       if (sample.Lines.empty())
       {
-        sample.FirstLine = number;
         sample.FirstOffset = line.data() - start.data();
       }
       sample.Lines.push_back(line);
+      sample.Numbers.push_back(number);
     }
   }
   return sample;
@@ -358,6 +358,24 @@ Rows rowsOf(const std::vector<std::string_view>& lines, char delimiter, std::siz
   return rows;
 }
 
+// Test whether commas can only be decimal marks, as in "0,5;1;2,5": semicolons separate the
+// columns, no number has a point, and all words are numbers.
+bool haveDecimalCommas(const std::vector<std::string_view>& lines)
+{
+  const auto isDecimal = [](std::string_view line)
+  {
+    const Words words = split(line, ';');
+    double value = 0.0;
+    return line.find(';') != std::string_view::npos && line.find('.') == std::string_view::npos &&
+      std::all_of(words.begin(), words.end(),
+        [&](std::string_view word) { return readWord(word, true, value); });
+  };
+  const auto hasComma = [](std::string_view line)
+  { return line.find(',') != std::string_view::npos; };
+  return std::any_of(lines.begin(), lines.end(), hasComma) &&
+    std::all_of(lines.begin(), lines.end(), isDecimal);
+}
+
 double meanBytesOf(const std::vector<std::string_view>& lines)
 {
   constexpr double minimum = 6.0; // "0 0 0" and a line end
@@ -420,7 +438,7 @@ bool startsWithNumber(std::string_view line, char delimiter)
 }
 
 //------------------------------------------------------------------------------
-std::string describeNoPoint(std::string_view line, const TextCloudLayout& layout, bool decimalComma)
+std::string describeNoPoint(std::string_view line, const TextCloudLayout& layout)
 {
   std::size_t count = 0;
   std::string wrongWord;
@@ -429,7 +447,7 @@ std::string describeNoPoint(std::string_view line, const TextCloudLayout& layout
     {
       ++count;
       double value = 0.0;
-      if (wrongWord.empty() && !readWord(word, decimalComma, value))
+      if (wrongWord.empty() && !readWord(word, layout.DecimalComma, value))
       {
         wrongWord = quoted(word) + " in column " + std::to_string(count);
       }
@@ -462,23 +480,26 @@ TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool d
   }
   layout.FirstOffset = sample.FirstOffset;
   layout.HasCount = isWholeNumber(sample.Lines[0]);
+  const auto firstPoint = std::find_if_not(sample.Lines.begin(), sample.Lines.end(), isWholeNumber);
+  const std::size_t firstNumber =
+    firstPoint == sample.Lines.end() ? 1 : sample.Numbers[firstPoint - sample.Lines.begin()];
   if (layout.HasCount) // the counts of further blocks are also removed
   {
     sample.Lines.erase(
       std::remove_if(sample.Lines.begin(), sample.Lines.end(), isWholeNumber), sample.Lines.end());
   }
+  layout.DecimalComma = decimalComma || haveDecimalCommas(sample.Lines);
   // If the first lines contain no point, points are assumed to have three numbers.
   const std::string_view line = sample.Lines.empty() ? "0 0 0" : sample.Lines[0];
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
-  layout.Delimiter = has(';') ? ';' : has(',') && !decimalComma ? ',' : ' ';
+  layout.Delimiter = has(';') ? ';' : has(',') && !layout.DecimalComma ? ',' : ' ';
   const std::size_t columns = split(line, layout.Delimiter).size();
   if (columns < 3 || columns > MaximumColumns)
   {
-    refuse(
-      sample.FirstLine, line, "3 to " + std::to_string(MaximumColumns) + " numbers of a point");
+    refuse(firstNumber, line, "3 to " + std::to_string(MaximumColumns) + " numbers of a point");
   }
 
-  const Rows rows = rowsOf(sample.Lines, layout.Delimiter, columns, decimalComma);
+  const Rows rows = rowsOf(sample.Lines, layout.Delimiter, columns, layout.DecimalComma);
   layout.AllLinesFit = !rows.empty() && rows.size() == sample.Lines.size();
   layout.MeanLineBytes = meanBytesOf(sample.Lines);
   layout.HasNames = sample.NamesLine > 0;

@@ -14,9 +14,10 @@ namespace conformal
 {
 struct TextCloudLayout
 {
-  char Delimiter = ' ';  ///< separator of columns; a blank stands for blanks and tabs
-  bool HasCount = false; ///< whether the number of points precedes the points
-  bool HasNames = false; ///< whether a line, not a comment, contains the names of the columns
+  char Delimiter = ' ';      ///< separator of columns; a blank stands for blanks and tabs
+  bool HasCount = false;     ///< whether the number of points precedes the points
+  bool DecimalComma = false; ///< whether commas are decimal marks
+  bool HasNames = false;     ///< whether a line, not a comment, contains the names of the columns
 
   /// Array and component in which the values of a column are stored.
   struct Column
@@ -39,8 +40,7 @@ bool startsWithNumber(std::string_view line, char delimiter);
 
 /// Return an error message for a line that is not a point. The line has a wrong number of columns,
 /// or contains a word that is not a number.
-std::string describeNoPoint(
-  std::string_view line, const TextCloudLayout& layout, bool decimalComma);
+std::string describeNoPoint(std::string_view line, const TextCloudLayout& layout);
 
 /// Exception for a text whose first lines are not points. Line is the number of the wrong line,
 /// counted from 1.
@@ -76,7 +76,8 @@ public:
 /// @param[in] start         bytes from the start of a text
 /// @param[in] isWhole       whether `start` is the whole text; otherwise the last line may be
 ///   incomplete
-/// @param[in] decimalComma  whether commas are decimal marks
+/// @param[in] decimalComma  whether commas are decimal marks. Otherwise, they are if semicolons
+///   separate the columns, and the numbers contain commas and no points.
 /// @throws NoTextCloud if the first lines are not points
 TextCloudLayout findTextCloudLayout(std::string_view start, bool isWhole, bool decimalComma);
 }

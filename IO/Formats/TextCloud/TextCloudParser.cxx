@@ -141,7 +141,7 @@ private:
   // Read the numbers of a line into Row. Return false if the line is not a point.
   bool readPoint(std::string_view line)
   {
-    if (this->Options.DecimalComma)
+    if (this->Layout.DecimalComma)
     {
       this->Text = line;
       std::replace(this->Text.begin(), this->Text.end(), ',', '.');
@@ -249,10 +249,10 @@ private:
       this->PointsToCome -= this->PointsToCome > 0 ? 1 : 0; // the count includes the line
       return;
     }
-    const bool mayBeDecimal =
-      !this->Options.DecimalComma && line.find(',') != std::string_view::npos;
+    const bool mayBeDecimal = !this->Layout.DecimalComma &&
+      line.find(',') != std::string_view::npos && line.find('.') == std::string_view::npos;
     this->Input.fail(ParseCode::Malformed,
-      describeNoPoint(line, this->Layout, this->Options.DecimalComma) +
+      describeNoPoint(line, this->Layout) +
         (mayBeDecimal ? "; if the commas are decimal marks, set DecimalComma" : ""));
   }
 

@@ -17,6 +17,10 @@ std::vector<std::string> fieldsOf(const NamedArray& array)
   {
     return { "r", "g", "b" };
   }
+  if (array.Name == "RGBA" && array.Components == 4 && isByte(array.Type))
+  {
+    return { "r", "g", "b", "a" };
+  }
   std::vector<std::string> fields;
   for (std::size_t c = 0; c < array.Components; ++c)
   {

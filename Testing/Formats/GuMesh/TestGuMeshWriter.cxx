@@ -20,6 +20,17 @@ TEST(GuMeshWriter, IsReadBackTheSame)
   ExpectSame(read(conformal::makeGuMesh(data), parse), data, true);
 }
 
+TEST(GuMeshWriter, LeavesOutOpacity)
+{
+  const auto parse = [](conformal::ByteReader& input) { return conformal::parseGuMesh(input); };
+  SurfaceData data = tetrahedron(true);
+  data.PointArrays.push_back(randomArray<std::uint8_t>("RGBA", ScalarType::UInt8, 4, 4, 3));
+  const SurfaceResult result = read(conformal::makeGuMesh(data), parse);
+  ASSERT_EQ(result.Data.PointArrays.size(), 1u);
+  EXPECT_EQ(result.Data.PointArrays[0].Name, "RGB");
+  EXPECT_EQ(result.Data.PointArrays[0].Values[3], data.PointArrays[0].Values[4]);
+}
+
 TEST(GuMeshWriter, StopsWhenAsked)
 {
   ExpectStopsWhenAsked(

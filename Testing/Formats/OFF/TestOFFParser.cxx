@@ -85,6 +85,18 @@ TEST(OFFParser, ReadsWhatEveryPrefixSays)
     values<double>(homogeneous.Data.Points), (std::vector<double>{ 0, 0, 0, 1, 0, 0, 0, 0.5, 0 }));
 }
 
+TEST(OFFParser, PrefixesMayBeInAnyOrder)
+{
+  const std::string body = "OFF\n1 0 0\n0 0 0  0 0 1  255 0 0 255  0.5 0.25\n";
+  for (const char* prefixes : { "STCN", "CSTN", "NCST", "CNST", "NSTC", "STNC" })
+  {
+    const SurfaceResult result = parse(prefixes + body);
+    ASSERT_TRUE(result.Status.ok()) << prefixes << result.Status.text();
+    ExpectArray<double>(result.Data.PointArrays, "Normals", ScalarType::Float64, 3, { 0, 0, 1 });
+    ExpectArray<double>(result.Data.PointArrays, "TCoords", ScalarType::Float64, 2, { 0.5, 0.25 });
+  }
+}
+
 TEST(OFFParser, IndicesOfColorsAreWholeNumbers)
 {
   const std::string mesh = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 ";

@@ -98,6 +98,19 @@ TEST(PCDParser, ReadsAsciiFilesHoweverTheyAreWritten)
       "16711680", "2.3418051e-38"));
 }
 
+TEST(PCDParser, ColorsThatAreNoNumbersAreBlack)
+{
+  const std::string text =
+    replaced(replaced(samples::AsciiPCD(), "F F F U I", "F F F F I"), "66051", "nan");
+  conformal::ByteReader input(text);
+  const SurfaceResult result = conformal::parsePCD(input);
+  ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+  EXPECT_EQ(result.Data.ReplacedValues, 1u);
+  const conformal::NamedArray& colors = result.Data.PointArrays.front();
+  ASSERT_EQ(colors.Name, "RGB");
+  EXPECT_EQ(values<std::uint8_t>(colors)[0], 0);
+}
+
 TEST(PCDParser, ReadsBinaryAndCompressedFiles)
 {
   ExpectRich(samples::BinaryPCD());

@@ -121,6 +121,23 @@ TEST(PlateModelParser, TellsGridsFromACloudWithACount)
   EXPECT_FALSE(looksLikePlateModel("v 0 0 0\nvn 0 0 1\nv 1 0 0\nv 0 1 0\n"));
 }
 
+TEST(PlateModelParser, ACountAlsoPrecedesVerticesInFilesOfPlateModels)
+{
+  std::string rows = "8\n";
+  for (int i = 0; i < 8; ++i)
+  {
+    rows += std::to_string(i % 2) + ".5 " + std::to_string(i / 2 % 2) + ".5 " +
+      std::to_string(i / 4) + ".5\n";
+  }
+  const std::string plates = rows +
+    "12\n1 2 3\n2 4 3\n5 7 6\n6 7 8\n1 5 2\n2 5 6\n3 4 7\n4 8 7\n1 3 5\n3 7 5\n2 6 "
+    "4\n4 6 8\n";
+  ASSERT_EQ(parse(plates).Status.Code, ParseCode::Ok);
+  EXPECT_TRUE(conformal::looksLikeNamedPlateModel(plates));
+  EXPECT_FALSE(looksLikePlateModel(plates));
+  EXPECT_FALSE(conformal::looksLikeNamedPlateModel(rows)); // a cloud with its number of points
+}
+
 TEST(PlateModelParser, ReadsAllGoodAndRefusesAllBadFiles)
 {
   for (const std::string& text : samples::PlateModelFiles())

@@ -87,6 +87,19 @@ TEST(TIFFStackParser, DescriptionOfImageJHasChannelsFramesAndUnits)
   EXPECT_EQ(values[23], 702);
 }
 
+TEST(TIFFStackParser, TimesAreInSeconds)
+{
+  for (const auto& [unit, seconds] : std::map<std::string, double>{
+         { "", 1.0 }, { "min", 60.0 }, { "ms", 1e-3 }, { "hour", 3600.0 }, { "beats", 1.0 } })
+  {
+    TIFFOptions options;
+    options.Description = "ImageJ=1.54f\nimages=4\nframes=4\nfinterval=0.5\n" +
+      (unit.empty() ? "" : "tunit=" + unit + "\n");
+    EXPECT_DOUBLE_EQ(parsed(samples::TIFF(4, options)).Stack.Info.FrameInterval, 0.5 * seconds)
+      << unit;
+  }
+}
+
 // Opening a file again for each tag, or reading a piece of it for each page, takes long.
 TEST(TIFFStackParser, FilesThatCanSeekAreOpenedOnceAndReadInLargePieces)
 {
@@ -174,6 +187,10 @@ TEST(TIFFStackParser, UnreadableFilesAreRefusedWithTheReason)
   TIFFOptions wrong;
   wrong.Description = "ImageJ=1\nimages=4\nchannels=3\n";
   expectRefused(samples::TIFF(4, wrong), ParseCode::Malformed, "3 channels");
+  TIFFOptions microscopy;
+  microscopy.Description = "<?xml version=\"1.0\"?><OME><Image><Pixels SizeC=\"2\"/></Image></OME>";
+  expectRefused(samples::TIFF(4, microscopy), ParseCode::Malformed, "OME-TIFF");
+  EXPECT_TRUE(parsed(samples::TIFF(1, microscopy)).Status.ok());
   std::string loop = samples::TIFF(1);
   loop.replace(loop.size() - 4, 4, loop.substr(4, 4));
   expectRefused(loop, ParseCode::Malformed, "loop");

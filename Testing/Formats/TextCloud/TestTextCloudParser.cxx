@@ -161,7 +161,22 @@ TEST(TextCloudParser, DecimalCommasAreReadWhenSaid)
   {
     EXPECT_EQ(
       values<double>(parse(text, options).Data.Points), (std::vector<double>{ 0.5, 1, -2.25 }));
+  }
+  for (const char* text : { "0,5 1 -2,25\n", "0,5\t1\t-2,25\n" })
+  {
     EXPECT_NE(parse(text).Status.Message.find("DecimalComma"), std::string::npos) << text;
+  }
+}
+
+TEST(TextCloudParser, CommasBetweenSemicolonsAreDecimal)
+{
+  for (const char* text : { "0,5;1;-2,25\n", "x;y;z\r\n0,5; 1; -2,25\r\n" })
+  {
+    EXPECT_EQ(values<double>(parse(text).Data.Points), (std::vector<double>{ 0.5, 1, -2.25 }));
+  }
+  for (const char* text : { "0,5;1;2.5\n", "0,5;1;a\n" })
+  {
+    EXPECT_FALSE(parse(text).Status.ok()) << text;
   }
 }
 
@@ -200,6 +215,7 @@ TEST(TextCloudParser, NamesWhatIsWrongWithALine)
   ExpectRefused(
     "x,y,z\n1,2,3\n1,,3\n", ParseCode::Malformed, 3, "with \"\" in column 2, expected 3 numbers");
   ExpectRefused("2\n1 2 3\n1 2 3 4\n", ParseCode::Malformed, 3, "with 4 columns, expected 3");
+  ExpectRefused("2\ncomment\n1 2 3\n1 2 4\n", ParseCode::UnrecognizedType, 2, "comment");
 }
 
 TEST(TextCloudParser, FractionsAfterColorsAreRefused)

@@ -18,6 +18,11 @@ TEST(TextCloudWriter, IsReadBackTheSame)
   data.PointArrays.push_back(randomArray<double>("Normals", ScalarType::Float64, 3, 4, 1));
   data.PointArrays.push_back(randomArray<double>("Deviation", ScalarType::Float64, 1, 4, 2));
   ExpectSame(read(conformal::makeTextCloud(data), parse), data, true);
+  data.PointArrays[1] = randomArray<std::uint8_t>("RGBA", ScalarType::UInt8, 4, 4, 3);
+  const SurfaceResult opaque = read(conformal::makeTextCloud(data), parse);
+  ASSERT_EQ(opaque.Data.PointArrays.size(), 5u);
+  EXPECT_EQ(opaque.Data.PointArrays[1].Name, "RGB");
+  EXPECT_EQ(opaque.Data.PointArrays[1].Values[3], data.PointArrays[1].Values[4]);
   data.PointArrays.clear();
   data.PointArrays.push_back(randomArray<double>("two words", ScalarType::Float64, 2, 4, 1));
   const SurfaceResult columns = read(conformal::makeTextCloud(data), parse);

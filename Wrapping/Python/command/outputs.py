@@ -6,6 +6,8 @@ import secrets
 import shutil
 import stat
 
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
@@ -40,6 +42,7 @@ PLAIN = {
        if name not in conformalsom.CLASSES_LEFT_OUT},
 }
 SURFACES = sorted({*PAINTED, *PLAIN})
+FLOAT_SHIFT = 1e-5  # of the size, by which floats may shift points
 PICTURES = [".jpg", ".png"]
 
 
@@ -270,6 +273,8 @@ def write(steps, writer, path, token=None, overwrite=True, shared=(), files=None
 
 def write_part(steps, writer, part, path):
     """Write an unfinished file by a writer that has its inputs; errors name the path that the file is to have."""
+    if isinstance(writer, (vtkSTLWriter, ThreeMFWriter)):
+        expect_floats(writer.GetInputDataObject(0, 0), path)
     writer.SetFileName(part)
     try:
         steps.run(f"Write {os.path.basename(path)}", writer, writer.Write)
@@ -282,6 +287,17 @@ def write_part(steps, writer, part, path):
         expect_polygons(part, writer.GetInputDataObject(0, 0).GetNumberOfPolys(), path)
     if not os.path.exists(part):
         raise OSError(errno.EIO, "it could not be written", path)
+
+
+def expect_floats(surface, path):
+    """Raise ValueError if a file of floats would move points by more than 1e-5 of the size of the surface."""
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    shift = np.abs(points - points.astype(np.float32)).max(initial=0.0)
+    size = np.linalg.norm(np.ptp(points, axis=0)) if len(points) > 0 else 0.0
+    if shift > FLOAT_SHIFT * size:
+        raise ValueError(f"{path}: the surface is too far from the origin: the floats of this format would shift points "
+                         f"by {shift:.2g}, and the size is {size:.3g}; write .ply or .obj instead, or subtract the center "
+                         "from the points of the scan first")
 
 
 def expect_space(writer, path):
