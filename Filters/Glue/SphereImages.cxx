@@ -38,6 +38,14 @@ const char* const DistortionArrays[] = { "AngleDistortion", "AreaDistortion",
 const char* const DistortionFields[] = { "MeanAngleDistortion", "MeanQuasiConformalError",
   "MaximumQuasiConformalError", "QuasiConformalError95", "AreaDistortionDeviation" };
 
+constexpr double Turn = 360.0; // degrees
+
+// Return the angle plus turns that is nearest to another angle, in degrees.
+double nearestTurn(double angle, double other)
+{
+  return angle + Turn * std::round((other - angle) / Turn);
+}
+
 template <std::size_t Size>
 void RemoveArrays(vtkFieldData* data, const char* const (&names)[Size])
 {
@@ -141,7 +149,7 @@ conformal::SphereImage ToSphereImage(vtkFieldData* data)
 //------------------------------------------------------------------------------
 bool HoldsPlaces(const std::string& name)
 {
-  return name == SpherePositionName() || name == TorusPositionName() ||
+  return name == SpherePositionName() || name == TorusPositionName() || HoldsLongitudes(name) ||
     name == "OriginalPointIds" || name == "OutsideImage" ||
     std::find(std::begin(FromMap), std::end(FromMap), name) != std::end(FromMap);
 }
@@ -223,6 +231,12 @@ bool HoldsWholeNumbers(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
+bool HoldsLongitudes(const std::string& name)
+{
+  return name == "Longitude" || name == "PlanetocentricLongitude";
+}
+
+//------------------------------------------------------------------------------
 bool HoldsLabels(vtkDataArray* array)
 {
   return array->GetNumberOfComponents() == 1 && HoldsWholeNumbers(array);
@@ -246,7 +260,8 @@ vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name)
 conformal::PixelSink PixelPainter(
   vtkDataArray* values, vtkDataArray* pixels, vtkUnsignedCharArray* holes)
 {
-  const bool isWhole = HoldsWholeNumbers(values), isOfLabels = HoldsLabels(values);
+  const bool isWhole = HoldsWholeNumbers(values), isOfLabels = HoldsLabels(values),
+             isOfLongitudes = values->GetName() && HoldsLongitudes(values->GetName());
   return [=](conformal::Index first, const std::vector<conformal::SurfacePlace>& places)
   {
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -272,8 +287,14 @@ conformal::PixelSink PixelPainter(
         for (int k = 0; k < 3 && !isHole; ++k)
         {
           const double weight = place.Weights[k]; // 0 for values that can be infinite
-          sum += weight != 0.0 ? weight * values->GetComponent(place.Ids[k], c) : 0.0;
+          double value = values->GetComponent(place.Ids[k], c);
+          if (isOfLongitudes)
+          {
+            value = nearestTurn(value, values->GetComponent(place.Ids[largest], c));
+          }
+          sum += weight != 0.0 ? weight * value : 0.0;
         }
+        sum = isOfLongitudes ? sum - Turn * std::floor(sum / Turn) : sum;
         pixels->SetComponent(pixel, c, isWhole ? std::round(sum) : sum);
       }
     }

@@ -97,6 +97,9 @@ vtkNew<vtkUnsignedCharArray> MakeHoles(vtkImageData* image);
 /// to the array.
 bool HoldsWholeNumbers(vtkDataArray* array);
 
+/// Test whether the point array of this name holds longitudes of vtkBodyMap, in [0, 360).
+bool HoldsLongitudes(const std::string& name);
+
 /// Return whether an array contains labels: integers, with 1 component. Means of labels have no
 /// meaning.
 bool HoldsLabels(vtkDataArray* array);
@@ -107,7 +110,8 @@ vtkDataArray* ArrayToBake(vtkPointSet* data, const std::string& name);
 
 /// Return a function that writes pixels of an image. For each pixel, the function interpolates
 /// `values` at the surface point that the pixel shows. A label (HoldsLabels()) is that of the
-/// nearest corner of the triangle. The result is written to `pixels`. If the
+/// nearest corner of the triangle. Longitudes (HoldsLongitudes()) are interpolated across 0. The
+/// result is written to `pixels`. If the
 /// pixel shows no surface point, the function writes 0 to `pixels`, and 1 to `holes`. The three
 /// arrays must outlive the function.
 conformal::PixelSink PixelPainter(

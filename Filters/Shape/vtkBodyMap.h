@@ -22,7 +22,9 @@
  * - "Latitude": latitude, in degrees, in [-90, 90].
  * - "Height": height of the point over the reference, an ellipsoid or sphere with the volume of the
  *   body (property Reference). The height is the distance of the point from the center of the
- *   reference, minus the radius of the reference in the direction of the point.
+ *   reference, minus the radius of the reference in the direction of the point. For the volume, a
+ *   hole of the surface is closed by a cone to the mean of the vertices. With large holes, heights
+ *   and slopes thus depend on the mesh.
  * - "Slope": angle between the normals of the surface and of the reference, in degrees, in [0,
  *   180].
  *

@@ -278,7 +278,10 @@ public:
     }
     const Vector3 beyond = 2.0 * here.dot(before) * here - before;
     const Index other = pixelAt(this->Image, this->Image.toPixels(beyond));
-    return { this->IsInMap[other] && other != pixel ? other : Outside, true };
+    // A pixel whose middle is beyond the outline has the label of the map that it shows.
+    Vector3 direction;
+    const bool isHole = !this->IsInMap[other] && this->Image.directionOf(other, direction);
+    return { isHole || other == pixel ? Outside : other, true };
   }
 
   Vector3 between(Index pixel, const Pair& pair) const
@@ -563,7 +566,7 @@ MapLabels measureMapLabels(
     counts[labels[p]] += isInMap[p];
   }
   const Neighborhood pixels(image, positions, std::move(isInMap));
-  const Contacts contacts = findContacts(image, pixels, labels, steps.next());
+  const Contacts contacts = findContacts(image, pixels, onMap, steps.next());
   const TriangleTree tree(body.Positions, body.Triangles, steps.next());
   MapLabels result;
   for (const auto& [label, sums] : moments)

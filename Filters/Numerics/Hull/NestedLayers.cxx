@@ -8,6 +8,7 @@
 #include "Hull/FreudenthalGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -68,9 +69,14 @@ void removeReached(const FreudenthalGrid& grid, const std::vector<float>& distan
   std::vector<int> piece;
   // The margin of the grid is wide enough that its second layer is open and connected.
   markPiece(grid, free, grid.node(1, 1, 1), reached, piece, run);
+  std::array<bool, LastRegion + 2> isReached = {};
   for (std::size_t node = 0; node < marks.size(); ++node)
   {
-    marks[node] = marks[node] >= FirstRegion && free[node] == reached ? Near : marks[node];
+    isReached[marks[node]] |= marks[node] >= FirstRegion && free[node] == reached;
+  }
+  for (std::uint8_t& mark : marks)
+  {
+    mark = isReached[mark] ? Near : mark;
   }
 }
 

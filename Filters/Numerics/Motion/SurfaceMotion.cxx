@@ -31,14 +31,14 @@ Eigen::Vector3d derivativeWeights(double before, double time, double after)
   return { -k / (h * (h + k)), (k - h) / (h * k), h / (k * (h + k)) };
 }
 
-// Compute the metric of a triangle: the dot products of two of its edges.
-Eigen::Matrix2d metricOf(const Points& positions, const Triangles& triangles, Index f)
+// Return differences of vectors at the corners of a triangle, along two of its edges.
+Eigen::Matrix<double, 3, 2> alongEdges(const Points& vectors, const Triangles& triangles, Index f)
 {
-  const Vector3 a = positions.row(triangles(f, 0));
-  Eigen::Matrix<double, 3, 2> edges;
-  edges.col(0) = Vector3(positions.row(triangles(f, 1))) - a;
-  edges.col(1) = Vector3(positions.row(triangles(f, 2))) - a;
-  return edges.transpose() * edges;
+  const Vector3 a = vectors.row(triangles(f, 0));
+  Eigen::Matrix<double, 3, 2> differences;
+  differences.col(0) = Vector3(vectors.row(triangles(f, 1))) - a;
+  differences.col(1) = Vector3(vectors.row(triangles(f, 2))) - a;
+  return differences;
 }
 }
 
@@ -74,17 +74,17 @@ SurfaceMotion computeMotion(const MovingSurface& before, const MovingSurface& su
   std::vector<double> areas(size, 0.0);
   for (Index f = 0; f < mesh.Triangles.rows(); ++f)
   {
-    const Eigen::Matrix2d metric = metricOf(mesh.Positions, mesh.Triangles, f);
+    const Eigen::Matrix<double, 3, 2> edges = alongEdges(mesh.Positions, mesh.Triangles, f),
+                                      rates = alongEdges(motion.Velocities, mesh.Triangles, f);
+    const Eigen::Matrix2d metric = edges.transpose() * edges;
     const double determinant = metric.determinant();
     // The metric of a needle is not invertible.
     if (!(determinant > 1e-12 * metric.trace() * metric.trace()))
     {
       continue;
     }
-    const Eigen::Matrix2d strain = metric.inverse() *
-      (weights[0] * metricOf(first, mesh.Triangles, f) + weights[1] * metric +
-        weights[2] * metricOf(last, mesh.Triangles, f)) /
-      2.0;
+    const Eigen::Matrix2d strain =
+      metric.inverse() * (edges.transpose() * rates + rates.transpose() * edges) / 2.0;
     const double trace = strain.trace(), area = 0.5 * std::sqrt(determinant);
     const double shear = std::sqrt(std::max(0.0, 0.25 * trace * trace - strain.determinant()));
     for (int k = 0; k < 3; ++k)

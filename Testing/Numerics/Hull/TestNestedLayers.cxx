@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 using conformal::findNestedLayers;
 using conformal::Index;
 using conformal::NestedLayers;
@@ -30,6 +33,38 @@ Points shell(double inner)
 {
   Points points(2 * Size, 3);
   points << ellipsoid(1.0, Size, 3), ellipsoid(inner, Size, 4);
+  return points;
+}
+
+// Random points of a vase: a sphere of radius 0.75 with a wall of 0.16, and an opening with a
+// radius of 0.47, which is 6 to 10 spacings.
+Points vase(Index size)
+{
+  constexpr double radius = 0.75, half = 0.08, rim = 0.064; // rim: fraction of the area
+  const double pi = std::acos(-1.0), top = std::sqrt(0.5);
+  const Points directions = sheets::pointsAbove(-1.0, 3 * size, 5);
+  Points points(size, 3);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> uniform;
+  Index next = 0;
+  for (Index i = 0; i < size; ++i)
+  {
+    if (uniform(random) < rim)
+    {
+      const double angle = 2.0 * pi * uniform(random), around = pi * uniform(random);
+      const double distance = radius + half * std::cos(around), along = half * std::sin(around);
+      const double x = top * (distance - along), z = top * (distance + along);
+      points.row(i) << x * std::cos(angle), x * std::sin(angle), z;
+      continue;
+    }
+    while (directions(next, 2) > top)
+    {
+      ++next;
+    }
+    const double outside = radius + half, inside = radius - half;
+    const double share = outside * outside / (outside * outside + inside * inside);
+    points.row(i) = (uniform(random) < share ? outside : inside) * directions.row(next++);
+  }
   return points;
 }
 
@@ -105,6 +140,10 @@ TEST(NestedLayers, ACavityWithAnOpeningIsPartOfTheSurface)
     }
   }
   EXPECT_FALSE(foundIn(bowl.topRows(size)));
+  for (const Index number : { 2500, 4000, 6000 })
+  {
+    EXPECT_FALSE(foundIn(vase(number))) << number;
+  }
 }
 
 TEST(NestedLayers, ASmallBallInsideIsNoLayer)

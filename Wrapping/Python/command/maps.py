@@ -5,6 +5,7 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
 from conformalsom import vtkBodyMap, vtkBodyMapImage
 
@@ -31,6 +32,8 @@ Pixels without a value, where no ray from the center meets the body, are NaN, th
 A shape model has its origin in the center of the body, its z axis to the north, and its x axis to
 longitude 0. If not, use --center and --axis."""
 
+DRAWN = "HeightSlopeNormal"
+GRAZING = 0.05  # least cosine between a ray and a normal, so that few pixels do not have most of the area
 BANDS = ("height", "slope", "radius", "area", "x", "y", "z")
 AREA_BALANCE = 0.5  # of maps that are computed; see vtkGlobalConformalMap
 
@@ -57,7 +60,7 @@ def make_parser():
                         help="direction of north; default 0 0 1")
     parser.add_argument("--crs", metavar="CODE", help="coordinate reference system of longitude and latitude in "
                         "degrees, as GDAL knows it, such as IAU_2015:200000400; default: longitude and latitude on a "
-                        "sphere of the body's mean radius")
+                        "sphere with the volume of the body")
     parser.add_argument("--picture", metavar="FILE", help="also draw the heights with labels, a legend and a scale; .png "
                         "or .jpg")
     parser.add_argument("--overwrite", action="store_true", help="replace files")
@@ -108,10 +111,10 @@ def run(options, bar):
     body.SetRotationAxis(options.axis)
     steps.run("Find longitudes and latitudes", body)
     bands = bands_of(options, body.GetOutput(), meters, steps)
-    points = vtk_to_numpy(body.GetOutput().GetPointData().GetArray("Radius")) * meters
+    radii = vtk_to_numpy(body.GetOutput().GetFieldData().GetArray("ReferenceRadii")) * meters
     with outputs.whole(options.output, files=[options.output], overwrite=options.overwrite) as path:
         with outputs.named_errors(options.output):
-            geotiff.write(path, bands, options.central_longitude, name, float(points.mean()), options.crs)
+            geotiff.write(path, bands, options.central_longitude, name, float(np.prod(radii)**(1.0 / 3.0)), options.crs)
     for companion in companions_of(options.output):
         os.remove(companion)
     if options.picture:
@@ -142,13 +145,13 @@ def write_picture(options, bands, name, steps):
 def bands_of(options, body, meters, steps):
     """Rows of pixels from the north for each band, in meters, degrees and square meters; NaN without a value."""
     data = body.GetPointData()
-    values = np.column_stack([vtk_to_numpy(data.GetArray(name)) for name in ("Height", "Slope")])
+    values = np.column_stack([*(vtk_to_numpy(data.GetArray(name)) for name in ("Height", "Slope")), normals_of(body)])
     array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
-    array.SetName("HeightAndSlope")
+    array.SetName(DRAWN)
     data.AddArray(array)
     chart = vtkBodyMapImage()
     chart.SetInputData(body)
-    chart.SetArrayName("HeightAndSlope")
+    chart.SetArrayName(DRAWN)
     chart.SetCoordinates(chart.PLANETOCENTRIC if options.coordinates == "planetocentric" else chart.MAP)
     chart.SetCentralLongitude(options.central_longitude)
     chart.SetImageSize(options.width, options.width // 2)
@@ -161,11 +164,32 @@ def bands_of(options, body, meters, steps):
         return array.reshape(options.width // 2, options.width, -1)[::-1]
 
     outside = pixels("OutsideSurface")[..., 0] > 0
-    drawn = np.where(outside[..., None], np.nan, pixels("HeightAndSlope"))
+    drawn = np.where(outside[..., None], np.nan, pixels(DRAWN))
     positions = np.where(outside[..., None], np.nan, pixels("BodyPosition") * meters)
-    radius = np.linalg.norm(positions - np.multiply(options.center, meters), axis=-1)
-    bands = (drawn[..., 0] * meters, drawn[..., 1], radius, area_of_pixels(positions), *np.moveaxis(positions, -1, 0))
+    rays = positions - np.multiply(options.center, meters)
+    radius = np.linalg.norm(rays, axis=-1)
+    area = area_of_rays(rays, drawn[..., 2:]) if options.coordinates == "planetocentric" else area_of_pixels(positions)
+    bands = (drawn[..., 0] * meters, drawn[..., 1], radius, area, *np.moveaxis(positions, -1, 0))
     return dict(zip(BANDS, (band.astype(np.float32) for band in bands)))
+
+
+def normals_of(body):
+    """A normal for each point."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(body)
+    normals.SplittingOff()
+    normals.Update()
+    return vtk_to_numpy(normals.GetOutput().GetPointData().GetNormals())
+
+
+def area_of_rays(rays, normals):
+    """Area of the surface in each pixel of longitude and latitude, from rays from the center to the surface."""
+    rows, columns = rays.shape[:2]
+    sines = np.sin(np.linspace(np.pi / 2, -np.pi / 2, rows + 1))
+    angles = (sines[:-1] - sines[1:]) * 2 * np.pi / columns  # solid angle of a pixel
+    lengths = np.linalg.norm(rays, axis=-1)
+    cosines = np.abs((rays * normals).sum(axis=-1)) / (lengths * np.linalg.norm(normals, axis=-1))
+    return angles[:, None] * lengths**2 / np.maximum(cosines, GRAZING)
 
 
 def area_of_pixels(positions):
