@@ -219,6 +219,34 @@ TEST(BodyMap, SaysWhatIsWrong)
   expect("some points of the surface are not finite");
 }
 
+TEST(BodyMap, MeasuresHeightsWhereTrianglesAreReversed)
+{
+  vtkNew<vtkGeodesicSphereSource> source;
+  source->SetFrequency(8);
+  source->Update();
+  vtkNew<vtkPolyData> sphere;
+  sphere->DeepCopy(source->GetOutput());
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < sphere->GetNumberOfCells(); ++cell)
+  {
+    sphere->GetCellPoints(cell, ids);
+    const bool isReversed = cell < 50;
+    polygons->InsertNextCell(
+      { ids->GetId(0), ids->GetId(isReversed ? 2 : 1), ids->GetId(isReversed ? 1 : 2) });
+  }
+  sphere->SetPolys(polygons);
+  vtkNew<vtkBodyMap> filter;
+  filter->SetInputData(sphere);
+  const contract::Observed seen(filter);
+  filter->Update();
+  seen.ExpectWarning("50 triangles were reversed");
+  vtkDataArray* heights = filter->GetOutput()->GetPointData()->GetArray("Height");
+  ASSERT_NE(heights, nullptr);
+  EXPECT_LT(heights->GetRange()[1] - heights->GetRange()[0], 0.01);
+  EXPECT_LT(filter->GetOutput()->GetPointData()->GetArray("Slope")->GetRange()[1], 5.0);
+}
+
 TEST(BodyMap, AbortLeavesNothing)
 {
   vtkNew<vtkBodyMap> filter;

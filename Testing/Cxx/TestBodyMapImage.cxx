@@ -178,6 +178,31 @@ TEST(BodyMapImage, KeepsTheTypeOfWhatItDraws)
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("Colors")->GetComponent(100, 1), 77.0);
 }
 
+TEST(BodyMapImage, InterpolatesLongitudesAcrossZero)
+{
+  vtkNew<vtkGeodesicSphereSource> sphere;
+  sphere->SetFrequency(12);
+  vtkNew<vtkBodyMap> body;
+  body->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkBodyMapImage> map;
+  map->SetInputConnection(body->GetOutputPort());
+  map->SetArrayName("PlanetocentricLongitude");
+  map->SetImageSize(360, 180);
+  map->Update();
+  double largest = 0.0;
+  for (int j = 20; j < 160; ++j) // up to 70 degrees of latitude
+  {
+    for (int i = 0; i < 360; ++i)
+    {
+      const double drawn =
+        map->GetOutput()->GetPointData()->GetScalars()->GetComponent(360 * j + i, 0);
+      const double difference = drawn - (i + 0.5 - 180.0);
+      largest = std::max(largest, std::abs(difference - 360.0 * std::round(difference / 360.0)));
+    }
+  }
+  EXPECT_LT(largest, 2.0);
+}
+
 TEST(BodyMapImage, SaysWhatIsWrong)
 {
   vtkNew<vtkBodyMapImage> filter;

@@ -107,6 +107,31 @@ TEST(MapLabels, PerimetersAreTrueAtPolesAndSeams)
 }
 
 // On an ellipsoid, areas are those of the surface: parts of known sum, and two equal halves.
+// A label that is cut by the outline has a part of its perimeter there.
+TEST(MapLabels, PerimetersAreTrueAlongOutlines)
+{
+  const MappedMesh ball = sphere(40);
+  for (const MapProjection projection :
+    { MapProjection::LambertAzimuthal, MapProjection::Mollweide, MapProjection::Equirectangular })
+  {
+    const MapImage image = { projection, 0.0, { 300, 150 } };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::vector<int> labels(image.Grid.size(), 0);
+      for (Index p = 0; p < image.Grid.size(); ++p)
+      {
+        Vector3 n;
+        labels[p] = image.directionOf(p, n) ? (n[axis] > 0.0 ? 1 : 2) : 0;
+      }
+      const MapLabels result = measureMapLabels(ball, image, labels);
+      ASSERT_EQ(result.Measures.size(), 2u);
+      EXPECT_NEAR(result.Measures[0].Perimeter / (2.0 * Pi), 1.0, 0.06)
+        << static_cast<int>(projection) << " " << axis;
+      EXPECT_EQ(result.Measures[0].Perimeter, result.Measures[1].Perimeter);
+    }
+  }
+}
+
 TEST(MapLabels, AreasAreThoseOfTheBody)
 {
   MappedMesh body = sphere(24);

@@ -51,6 +51,22 @@ TEST(SurfaceMotion, GrowthHasTwiceItsRateAsAreaRate)
   }
 }
 
+TEST(SurfaceMotion, RatesBelongToTheVelocitiesAtTheEnds)
+{
+  const auto grows = [](const Vector3& n, double t) -> Vector3 { return (1.0 + 0.1 * t) * n; };
+  const MovingSurface first = at(0.0, 12, grows), last = at(6.0, 12, grows);
+  for (const bool isFirst : { true, false })
+  {
+    const MovingSurface& here = isFirst ? first : last;
+    const SurfaceMotion motion = computeMotion(first, here, last);
+    for (Index v = 0; v < here.Surface.Positions.rows(); ++v)
+    {
+      EXPECT_NEAR(motion.Velocities.row(v).norm(), 0.1, 1e-12);
+      EXPECT_NEAR(motion.AreaRates[v], isFirst ? 0.2 : 0.2 / 1.6, 1e-10);
+    }
+  }
+}
+
 TEST(SurfaceMotion, RigidMotionHasNoStrain)
 {
   const auto turns = [](const Vector3& n, double t) -> Vector3
