@@ -111,7 +111,7 @@ bool turnOutward(const WindingNumbers& cloud, Points& areas, double width, const
   // Winding numbers are 1/2 at the points of a complete surface. They are lower near large holes,
   // and if the noise exceeds the distance between points. They are about zero if normals have
   // random signs.
-  constexpr double telling = 0.15, majority = 0.75;
+  constexpr double telling = 0.15, majority = 0.9;
   if (cloud.size() == 0)
   {
     return false;

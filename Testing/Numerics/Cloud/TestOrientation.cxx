@@ -133,6 +133,25 @@ TEST(Orientation, RefusesNormalsOfRandomSigns)
   EXPECT_FALSE(turnOutward(WindingNumbers(empty), empty, 0.05));
 }
 
+// As those of one of several scans can be.
+TEST(Orientation, RefusesNormalsOfWhichAPartIsInward)
+{
+  Points points = sphere(), normals = points;
+  Index reversed = 0;
+  for (Index i = 0; i < points.rows(); ++i)
+  {
+    const bool isReversed = points(i, 0) > 0.68;
+    reversed += isReversed;
+    normals.row(i) *= isReversed ? -1.0 : 1.0;
+    normals(i, 0) /= 6.0;
+    normals.row(i).normalize();
+  }
+  points.col(0) *= 6.0;
+  ASSERT_NEAR(static_cast<double>(reversed) / static_cast<double>(points.rows()), 0.16, 0.02);
+  Points areas = areaVectors(points, normals);
+  EXPECT_FALSE(turnOutward(WindingNumbers(points), areas, 0.05));
+}
+
 TEST(Orientation, KnowsTheSpacing)
 {
   Points square(400, 3);

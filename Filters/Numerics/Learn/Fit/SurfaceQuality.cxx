@@ -324,6 +324,15 @@ Points outwardDirections(
     Points areas = areaVectors(asked.Positions, asked.Normals, run);
     if (turnOutward(numbers, areas, width, run))
     {
+      // Single normals may be wrong. All of them together are right, except between close sides.
+      constexpr double opposite = -0.5; // cosine
+      const Points outward = numbers.descentAtPoints(areas, width, run);
+      for (Index i = 0; i < areas.rows(); ++i)
+      {
+        const double cosine =
+          areas.row(i).stableNormalized().dot(outward.row(i).stableNormalized());
+        areas.row(i) *= cosine < opposite ? -1.0 : 1.0;
+      }
       return areas;
     }
   }

@@ -107,6 +107,19 @@ TEST(SurfaceQuality, SeesTwoSidesOnTheSamePoints)
 }
 
 // Inward or outward, if only they agree; where they do not, they are no measure.
+TEST(SurfaceQuality, SingleWrongNormalsDoNotInvertARightSurface)
+{
+  const Points points = makeGeodesicSphere(17).Positions;
+  TrainingSamples samples{ PointView(points) };
+  Points normals = points;
+  for (Index i = 3; i < normals.rows(); i += 7)
+  {
+    normals.row(i) *= -1.0;
+  }
+  samples.setNormals(normals);
+  EXPECT_LT(qualityOn(sphere(), samples).InvertedFraction, 1e-3);
+}
+
 TEST(SurfaceQuality, HoldsTheSurfaceAgainstNormals)
 {
   const Points points = spheres::spiral(20000);
