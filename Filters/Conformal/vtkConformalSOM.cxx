@@ -277,11 +277,11 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
   }
   if (quality.InvertedFraction > Tolerated::InvertedFraction)
   {
-    vtkWarningWithObjectMacro(
-      self, << "at " << 100.0 * quality.InvertedFraction
-            << " % of the points the mesh faces the wrong way, or two of "
-               "its sides lie on them: too little of the object is sampled. Provide right normals, or "
-               "add points where there are none");
+    vtkWarningWithObjectMacro(self,
+      << "at " << 100.0 * quality.InvertedFraction
+      << " % of the points the mesh faces the wrong way, or two of "
+         "its sides lie on them: too little of the object is sampled. Provide right normals, or "
+         "add points where there are none");
   }
   // Twice the tolerance, since a geodesic mesh of few neurons has some folds where limbs join.
   if (quality.FoldedFraction > 2.0 * Tolerated::FoldedFraction)

@@ -198,6 +198,15 @@ class TestFunctions(unittest.TestCase):
         with self.assertRaisesRegex(cs.FilterFailed, "the pose has 9 points"):
             self.surface.posed(self.surface, [np.zeros((9, 3))])
 
+    def test_floats_that_would_destroy_the_shape_are_refused(self):
+        far = cs.Surface((self.surface.points.astype(float) + 1e6, self.surface.faces))
+        for name in ("far.stl", "far.3mf"):
+            with self.assertRaisesRegex(ValueError, f"{name}: the surface is too far from the origin"):
+                far.save(self.path(name))
+            self.assertFalse(os.path.exists(self.path(name)))
+        far.save(self.path("far.obj"))
+        np.testing.assert_allclose(cs.read(self.path("far.obj")).points, far.points, rtol=0, atol=1e-4)
+
     def test_paints_and_saves(self):
         painted = self.surface.paint(picture(), field_of_view=200.0)
         np.testing.assert_array_equal(painted.texture, picture())

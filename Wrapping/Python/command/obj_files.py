@@ -154,7 +154,7 @@ class Rows:
         data.SetPoints(points)
         if self.sizes:
             polygons = vtkCellArray()
-            offsets = np.concatenate(([0], np.cumsum(self.sizes)))
+            offsets = np.cumsum([0, *self.sizes])
             polygons.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
                              numpy_to_vtkIdTypeArray(np.asarray(self.corners) - 1, deep=True))
             data.SetPolys(polygons)

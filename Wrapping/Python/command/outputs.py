@@ -273,8 +273,6 @@ def write(steps, writer, path, token=None, overwrite=True, shared=(), files=None
 
 def write_part(steps, writer, part, path):
     """Write an unfinished file by a writer that has its inputs; errors name the path that the file is to have."""
-    if isinstance(writer, (vtkSTLWriter, ThreeMFWriter)):
-        expect_floats(writer.GetInputDataObject(0, 0), path)
     writer.SetFileName(part)
     try:
         steps.run(f"Write {os.path.basename(path)}", writer, writer.Write)
@@ -283,6 +281,8 @@ def write_part(steps, writer, part, path):
         raise type(error)(str(error).replace(part, path)) from None
     except OSError as error:
         raise OSError(error.errno, error.strerror, path if error.filename == part else error.filename) from error
+    if isinstance(writer, (vtkSTLWriter, ThreeMFWriter)):  # whose input is up to date only now
+        expect_floats(writer.GetInputDataObject(0, 0), path)
     if isinstance(writer, vtkOBJWriter):  # which does not notice a full disk
         expect_polygons(part, writer.GetInputDataObject(0, 0).GetNumberOfPolys(), path)
     if not os.path.exists(part):
@@ -293,7 +293,7 @@ def expect_floats(surface, path):
     """Raise ValueError if a file of floats would move points by more than 1e-5 of the size of the surface."""
     points = vtk_to_numpy(surface.GetPoints().GetData())
     shift = np.abs(points - points.astype(np.float32)).max(initial=0.0)
-    size = np.linalg.norm(np.ptp(points, axis=0)) if len(points) > 0 else 0.0
+    size = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) > 0 else 0.0
     if shift > FLOAT_SHIFT * size:
         raise ValueError(f"{path}: the surface is too far from the origin: the floats of this format would shift points "
                          f"by {shift:.2g}, and the size is {size:.3g}; write .ply or .obj instead, or subtract the center "
