@@ -330,7 +330,12 @@ Ground findGround(const TrainingSamples& samples, RemoveGround mode)
     parts->IsObject.push_back(name == largest);
   }
   ground.Part = parts;
-  if (mode == RemoveGround::Automatic && !isGround(plane, points, inPlane, ground, above, spacing))
+  // The feet of a table or chair are alike, and its plate is no ground.
+  const auto alike =
+    std::count_if(sizes.begin(), sizes.end(), [&](int size) { return 2 * size > sizes[largest]; });
+  const bool isFoot = alike > 2;
+  if (mode == RemoveGround::Automatic &&
+    (isFoot || !isGround(plane, points, inPlane, ground, above, spacing)))
   {
     return {};
   }

@@ -50,7 +50,9 @@ struct Ground
 /// - at least a tenth of the samples are in the plane, and at most 1 percent are below it,
 /// - at least 40 percent of its area is outside of the outline of the object, on three sides or
 ///   four,
-/// - the height of the object is at least 0.15 of its width.
+/// - the height of the object is at least 0.15 of its width,
+/// - at most one other part above the plane has more than half as many samples as the object. The
+///   plate of a table, of which the feet are such parts, is thus no ground.
 ///
 /// The object is the largest connected part above the plane. A flat side of an object, a plinth, or
 /// the background of a relief are thus no ground. About 20,000 samples are used. All ranks return

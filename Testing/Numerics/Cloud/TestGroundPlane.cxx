@@ -122,6 +122,21 @@ TEST(GroundPlane, AFlatSideOfAnObjectIsNoGround)
   EXPECT_FALSE(groundOf(together({ relief, table(4.0) })).found());
 }
 
+TEST(GroundPlane, ThePlateOfATableIsNoGround)
+{
+  std::vector<Points> parts = { table(2.0) };
+  for (const double x : { -0.8, 0.7 })
+  {
+    for (const double y : { -0.8, 0.7 })
+    {
+      parts.push_back(box(Vector3(x, y, -1.0), Vector3(0.1, 0.1, 0.6), Spacing));
+    }
+  }
+  EXPECT_FALSE(groundOf(together(parts)).found());
+  parts.resize(2);
+  EXPECT_TRUE(groundOf(together(parts)).found()); // a stick on a plate
+}
+
 TEST(GroundPlane, OffAndOnAreObeyed)
 {
   const Points scene = together({ ball(), table(6.0) });
