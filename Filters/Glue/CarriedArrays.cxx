@@ -35,7 +35,7 @@ vtkSmartPointer<vtkDataArray> MakeArrayLike(const Arrays& arrays)
   const bool isOfOneType = std::all_of(arrays.begin(), arrays.end(),
     [=](vtkDataArray* array) { return array->GetDataType() == first->GetDataType(); });
   const bool isOfLabels = std::all_of(arrays.begin(), arrays.end(), glue::HoldsLabels);
-  const auto made = vtkSmartPointer<vtkDataArray>::Take(isOfOneType
+  auto made = vtkSmartPointer<vtkDataArray>::Take(isOfOneType
       ? first->NewInstance()
       : vtkDataArray::CreateDataArray(isOfLabels ? VTK_LONG_LONG : VTK_DOUBLE));
   made->SetName(first->GetName());

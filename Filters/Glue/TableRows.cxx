@@ -153,7 +153,7 @@ vtkSmartPointer<vtkAbstractArray> MajorityLabels(vtkAbstractArray* labels,
     }
     ++counts[groups[i]][found->second];
   }
-  const auto result =
+  auto result =
     vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(labels->GetDataType()));
   result->SetName(labels->GetName());
   result->SetNumberOfTuples(static_cast<vtkIdType>(others.size()));

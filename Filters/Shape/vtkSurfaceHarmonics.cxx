@@ -49,6 +49,7 @@ struct ChosenArray
 std::vector<std::string> ColumnNames(const ChosenArray& array)
 {
   std::vector<std::string> names;
+  names.reserve(array.Components);
   for (int c = 0; c < array.Components; ++c)
   {
     names.push_back(array.Name + (array.Components > 1 ? "_" + std::to_string(c) : ""));

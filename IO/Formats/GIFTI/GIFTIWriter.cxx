@@ -281,6 +281,7 @@ std::string makeGIFTIShape(const SurfaceData& surface, const std::string& struct
     throw std::invalid_argument("the surface has no point array of 1 component");
   }
   std::vector<FileArray> arrays;
+  arrays.reserve(shapes.size());
   for (const NamedArray& shape : shapes)
   {
     arrays.push_back(named(shape, "SHAPE"));
