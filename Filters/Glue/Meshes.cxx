@@ -459,4 +459,15 @@ conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::Coordina
   mesh.SpherePositions = ToSpherePositions(surface);
   return mesh;
 }
+
+//------------------------------------------------------------------------------
+conformal::MappedMesh CopyOriented(
+  vtkObject* self, vtkPolyData* surface, const conformal::CoordinateFrame& frame)
+{
+  conformal::MappedMesh mesh = CopyMapped(surface, frame);
+  Repairs done;
+  done.Turned = conformal::orientConsistently(mesh.Triangles);
+  WarnOfMeshRepairs(self, done, MeshUse::Copy);
+  return mesh;
+}
 }

@@ -111,6 +111,11 @@ conformal::Mesh ToMeshIfClosed(
 /// @throws std::invalid_argument if ToTriangles() or ToSpherePositions() throws this exception
 conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
 
+/// Like CopyMapped(), but with consistently oriented triangles, on which volume and normals depend.
+/// If triangles are reversed, a warning states their number.
+conformal::MappedMesh CopyOriented(
+  vtkObject* self, vtkPolyData* surface, const conformal::CoordinateFrame& frame);
+
 /// Convert a surface with a map to the sphere to a closed mesh whose triangles are
 /// counter-clockwise seen from outside. The map is the point array "SpherePosition".
 /// @param[in] self   object that issues warnings

@@ -271,12 +271,8 @@ conformal::PixelSink PixelPainter(
       const bool isHole = place.Ids[0] < 0;
       holes->SetValue(pixel, isHole);
       conformal::Index largest = 0;
-      if (!isHole && place.Weights.maxCoeff(&largest) == 1.0) // a copy keeps integers of 64 bits
-      {
-        pixels->SetTuple(pixel, place.Ids[largest], values);
-        continue;
-      }
-      if (!isHole && isOfLabels)
+      // A copy keeps integers of 64 bits.
+      if (!isHole && (place.Weights.maxCoeff(&largest) == 1.0 || isOfLabels))
       {
         pixels->SetTuple(pixel, place.Ids[largest], values);
         continue;

@@ -163,22 +163,6 @@ conformal::Points DirectionsOf(vtkPolyData* places)
   return directions;
 }
 
-// Copy the body with triangles of equal orientation, on which volume and normals depend.
-conformal::MappedMesh OrientedBody(
-  vtkObject* self, vtkPolyData* surface, const conformal::CoordinateFrame& frame)
-{
-  conformal::MappedMesh body = glue::CopyMapped(surface, frame);
-  const conformal::Index reversed = conformal::orientConsistently(body.Triangles);
-  if (reversed > 0)
-  {
-    vtkWarningWithObjectMacro(self, << reversed
-                                    << " triangles were reversed for an orientation consistent with "
-                                       "their neighbors for the computation; the output keeps the "
-                                       "polygons of the input");
-  }
-  return body;
-}
-
 void WarnOfFolds(vtkObject* self, const conformal::MappedMesh& body)
 {
   const conformal::SphereCoverage coverage = CoverageOf(body);
@@ -301,7 +285,7 @@ int vtkBodyMap::RequestData(
       conformal::Steps steps(glue::RunOf(this), { 0.06, 0.45, 0.19, 0.3, places ? 0.3 : 0.0 });
       steps.next();
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
-      conformal::MappedMesh body = OrientedBody(this, surface, frame);
+      conformal::MappedMesh body = glue::CopyOriented(this, surface, frame);
       ToFrame(options, frame);
       const conformal::BodyCoordinates coordinates =
         conformal::findBodyCoordinates(body, options, steps.next());

@@ -17,7 +17,7 @@
  * of latitude. For other projections, the unit is the radius of the sphere.
  * - active scalars: the drawn point array, with the same name, type and number of components.
  *   Integers of 1 component are labels: a pixel has the label of the nearest corner of its
- * triangle. Other integers, such as colors, are rounded.
+ *   triangle. Other integers, such as colors, are rounded.
  * - point array "OutsideMap" (unsigned char): 1 beyond the outline of the map, otherwise 0. Where
  *   the value is 1, the drawn values are 0.
  * - point array "OutsideSurface" (unsigned char): 1 beyond the outline, and where the map to the

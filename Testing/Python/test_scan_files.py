@@ -101,8 +101,10 @@ class TestOBJ(Folder):
         self.assertIsNone(reader.GetOutput().GetPointData().GetScalars())
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
-            conformalsom.inputs.read(path)
+            texts = []
+            conformalsom.inputs.read(path, texts)
         self.assertEqual([warning.category for warning in caught], [conformalsom.FilterWarning])
+        self.assertEqual(texts, [str(warning.message) for warning in caught])
 
     def test_textured_surface_is_closed(self):
         mesh = egg(3)

@@ -2,7 +2,6 @@
 import errno
 import os
 import typing
-import warnings
 
 import numpy as np
 import numpy.typing as npt
@@ -15,8 +14,8 @@ from vtkmodules.vtkIOLegacy import vtkDataReader
 from vtkmodules.vtkIOXML import vtkXMLReader
 
 from conformalsom.command import obj_files, scan_files, textures, volumes
-from conformalsom.messages import FilterFailed, FilterWarning, errors_outside
-from conformalsom.running import level_of_caller, run
+from conformalsom.messages import FilterFailed, errors_outside
+from conformalsom.running import run, warn
 
 
 class HasPolyData(typing.Protocol):
@@ -214,7 +213,7 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
     if reader_class is None and not os.path.exists(name):
         raise missing(name, os.strerror(errno.ENOENT))
     if reader_class is scan_files.OBJReader:  # a class of Python, which cannot run on another thread
-        return read_obj(name)
+        return read_obj(name, texts)
     # Without a class, scan_reader() raises an error that lists the known types.
     reader: typing.Any = scan_files.scan_reader(name) if reader_class is None else reader_class()
     reader.SetFileName(name)
@@ -231,14 +230,16 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
     return reader.GetOutputDataObject(0)
 
 
-def read_obj(name: str) -> vtkPolyData:
-    """Read an .obj file; a warning of the reader is issued as FilterWarning."""
+def read_obj(name: str, texts: Texts) -> vtkPolyData:
+    """Read an .obj file; a warning of the reader is issued as FilterWarning, and added to texts."""
     try:
         data, warning = obj_files.read(name)
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from None
     if warning:
-        warnings.warn(f"{name}: {warning}", FilterWarning, stacklevel=level_of_caller())
+        found = [f"{name}: {warning}"]
+        warn(found)
+        keep(texts, found)
     return data
 
 

@@ -49,11 +49,17 @@ def with_ids(cells, ids):
     owners = np.repeat(np.arange(len(sizes)), sizes)
     whole = np.ones(len(sizes), dtype=bool)
     whole[owners[ids[corners] < 0]] = False
-    result = vtkCellArray()
-    offsets = np.concatenate(([0], np.cumsum(sizes[whole]))).astype(np.int64)
-    result.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
-                   numpy_to_vtkIdTypeArray(ids[corners[whole[owners]]].astype(np.int64), deep=True))
-    return result, whole
+    return cells_of(sizes[whole], ids[corners[whole[owners]]]), whole
+
+
+def cells_of(sizes, corners):
+    """Cells with these numbers of corners, from the ids of all corners."""
+    offsets = np.zeros(len(sizes) + 1, dtype=np.int64)
+    np.cumsum(sizes, out=offsets[1:])
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
+                  numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=True))
+    return cells
 
 
 def copy_tuples(source, target, chosen):

@@ -7,10 +7,12 @@ import array
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from .finite_points import cells_of
 
 FLOAT_SHIFT = 1e-5  # of the size, by which floats may shift points
 
@@ -153,11 +155,7 @@ class Rows:
         points.SetData(numpy_to_vtk(as_floats(vectors(self.coordinates)), deep=True))
         data.SetPoints(points)
         if self.sizes:
-            polygons = vtkCellArray()
-            offsets = np.cumsum([0, *self.sizes])
-            polygons.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
-                             numpy_to_vtkIdTypeArray(np.asarray(self.corners) - 1, deep=True))
-            data.SetPolys(polygons)
+            data.SetPolys(cells_of(self.sizes, np.asarray(self.corners) - 1))
         elif self.has_all(self.normals):
             data.GetPointData().SetNormals(named(vectors(self.normals).astype(np.float32), "Normals"))
         if self.has_all(self.colors):
