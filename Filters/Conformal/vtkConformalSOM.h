@@ -485,8 +485,8 @@ public:
    * from the hull by the other method, and the better mesh is kept.
    *
    * With fewer than two points for each neuron, AUTOMATIC_METHOD also learns from the other hull if
-   * the map to the sphere is not conformal: between sparse points, a hull can be cracked across thin
-   * parts, which are then joined by a thread.
+   * the map to the sphere is not conformal: between sparse points, a hull can be cracked across
+   * thin parts, which are then joined by a thread.
    *
    * The methods are those of the property Method of vtkGenusZeroHull. If most points of the input
    * belong to a polygon, winding numbers use the normals of the polygons, consistently oriented.

@@ -12,10 +12,10 @@
 
 namespace conformal
 {
-/// Solve linear equations of a symmetric, positive definite matrix. The off-diagonal entries are the
-/// weights times -1. The equations are solved by Eigen's sparse Cholesky factorization. For 20,000
-/// unknowns or more, the class MultifrontalCholesky is used instead. MultifrontalCholesky is faster
-/// and uses several threads.
+/// Solve linear equations of a symmetric, positive definite matrix. The off-diagonal entries are
+/// the weights times -1. The equations are solved by Eigen's sparse Cholesky factorization. For
+/// 20,000 unknowns or more, the class MultifrontalCholesky is used instead. MultifrontalCholesky is
+/// faster and uses several threads.
 /// @param[in] places  position of each unknown; determines only the sequence in which unknowns are
 ///   eliminated
 /// @param[in,out] columns  on input, the right-hand sides. On return, the solutions.

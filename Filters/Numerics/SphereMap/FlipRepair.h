@@ -47,8 +47,8 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 /// @param[in] strings        weights of the springs: result of cotangentWeights() for the surface.
 ///   To compute the equilibrium, weights are clamped to [0.05, 20].
 /// @param[in] minimumHeight  height of a triangle over its longest side above which a triangle of a
-///   repaired neighborhood may have a determinant below MinimumSafeDeterminant; by default none may.
-///   With MinimumSafeHeight, also small parts of the map are repaired, which may be far from
+///   repaired neighborhood may have a determinant below MinimumSafeDeterminant; by default none
+///   may. With MinimumSafeHeight, also small parts of the map are repaired, which may be far from
 ///   conformal afterward.
 /// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad do not
 ///   become bad.
