@@ -116,6 +116,17 @@ vtkIdType CountUnusable(
   return sums[1];
 }
 
+// Skip copies of points in Batch mode, in which the weight of a point is the area around it. In
+// Online mode, a point with copies is used more often.
+void SkipCopies(const conformal::ConformalSOMOptions& options,
+  const conformal::NumberView& priorities, const conformal::Reduce& reduce, glue::CloudInput& cloud)
+{
+  if (options.TrainingMode == conformal::TrainingMode::Batch)
+  {
+    glue::SkipCopies(priorities, reduce, cloud);
+  }
+}
+
 bool MayStartFromMesh(const conformal::ConformalSOMOptions& options)
 {
   using conformal::StartingShape;
@@ -129,7 +140,7 @@ bool MayStartFromMesh(const conformal::ConformalSOMOptions& options)
 // mesh is empty if learning must not start from these triangles. With StartingShape Automatic, they
 // are used only if they form a closed surface through all samples.
 conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool must,
-  const conformal::TrainingSamples& samples, const conformal::CoordinateFrame& frame,
+  const conformal::TrainingSamples& samples, const glue::CloudInput& cloud,
   glue::Processes& processes, const conformal::Run& run)
 {
   vtkPolyData* surface = vtkPolyData::SafeDownCast(input);
@@ -155,11 +166,12 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
     if (must)
     {
       static_cast<conformal::Mesh&>(own) =
-        glue::Outward(glue::ToClosedMesh(self, surface, frame, run));
+        glue::Outward(glue::ToClosedMesh(self, surface, cloud.Frame, run));
     }
-    else if (samples.dimension() == 3 && surface->GetNumberOfPoints() == samples.totalSize())
+    else if (samples.dimension() == 3 &&
+      surface->GetNumberOfPoints() == samples.totalSize() + cloud.NumberOfCopies)
     {
-      static_cast<conformal::Mesh&>(own) = glue::ToMeshIfClosed(surface, frame, run);
+      static_cast<conformal::Mesh&>(own) = glue::ToMeshIfClosed(surface, cloud.Frame, run);
     }
   }
   return glue::GatherMesh(reduce, own);
@@ -169,18 +181,18 @@ conformal::MappedMesh OwnMesh(vtkConformalSOM* self, vtkPointSet* input, bool mu
 // input's triangles. The mesh is empty if learning starts from neither.
 conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vtkPolyData* start,
   const conformal::ConformalSOMOptions& options, const conformal::TrainingSamples& samples,
-  const conformal::CoordinateFrame& frame, glue::Processes& processes, const conformal::Run& run)
+  const glue::CloudInput& cloud, glue::Processes& processes, const conformal::Run& run)
 {
   if (start)
   {
-    return glue::ToSharedMesh(self, start, frame, processes);
+    return glue::ToSharedMesh(self, start, cloud.Frame, processes);
   }
   if (!MayStartFromMesh(options))
   {
     return {};
   }
   const bool must = options.StartingShape == conformal::StartingShape::Mesh;
-  return OwnMesh(self, input, must, samples, frame, processes, run);
+  return OwnMesh(self, input, must, samples, cloud, processes, run);
 }
 
 // Memory of the normals, the scanners and the pattern values of points, and numbers of points that
@@ -463,10 +475,10 @@ void AddFigures(vtkFieldData* data, const conformal::TrainingSamples& samples,
 // learning starts, and learning.
 conformal::ConformalSOMResult Learn(vtkConformalSOM* self, vtkPointSet* input, vtkPolyData* start,
   const conformal::TrainingSamples& samples, const conformal::ConformalSOMOptions& options,
-  const conformal::CoordinateFrame& frame, glue::Processes& processes, conformal::Steps& steps)
+  const glue::CloudInput& cloud, glue::Processes& processes, conformal::Steps& steps)
 {
   const conformal::MappedMesh mesh =
-    StartingMesh(self, input, start, options, samples, frame, processes, steps.next());
+    StartingMesh(self, input, start, options, samples, cloud, processes, steps.next());
   const bool hasStart = mesh.Positions.rows() > 0;
   conformal::ConformalSOMResult result =
     conformal::trainConformalSOM(samples, options, hasStart ? &mesh : nullptr, steps.next());
@@ -628,9 +640,10 @@ int vtkConformalSOM::RequestData(
       const conformal::NumberView priorities = ViewPriorities(input, priorityName, priorityCopy);
       const vtkIdType unusable = CountUnusable(priorities, priorityName, processes.reduce());
       glue::CloudInput cloud;
-      glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
       PointAttributes attributes;
+      glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
       glue::ReadPatternArrays(input, patternNames, processes.reduce(), cloud, attributes.Patterns);
+      SkipCopies(options, priorities, processes.reduce(), cloud);
       options.Opening.HoleSize /= cloud.Frame.Unit;
       conformal::Steps steps(processes.run(), { 0.04, 0.02, 0.88, 0.02, 0.02, 0.02 });
       conformal::TrainingSamples samples = glue::SelectedSamples(
@@ -642,8 +655,7 @@ int vtkConformalSOM::RequestData(
       }
       if (!samples.empty())
       {
-        const auto result =
-          Learn(this, input, start, samples, options, cloud.Frame, processes, steps);
+        const auto result = Learn(this, input, start, samples, options, cloud, processes, steps);
         const auto surface = SurfaceOf(result, samples, options, attributes, cloud.Frame, steps);
         SetRecords(outputVector, result, stages, cloud.Frame, processes.isFirst());
         steps.next();

@@ -160,6 +160,7 @@ int vtkGenusZeroHull::RequestData(
       conformal::Steps steps(processes.run(), { 0.02, 0.96, 0.02 });
       glue::CloudInput cloud;
       glue::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
+      glue::SkipCopies({}, processes.reduce(), cloud);
       conformal::TrainingSamples samples(
         cloud.View, {}, cloud.Skip, processes.reduce(), steps.next());
       glue::CloudNormals normals;

@@ -1,5 +1,6 @@
 #include "Glue/CloudInput.h"
 
+#include "Cloud/Copies.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
@@ -16,6 +17,12 @@ namespace glue
 {
 namespace
 {
+// Return whether the priority of a point is positive and finite.
+bool HasPriority(const conformal::NumberView& priorities, conformal::Index i)
+{
+  return priorities.size() == 0 || (priorities[i] > 0.0 && std::isfinite(priorities[i]));
+}
+
 // Return whether polygons of the input, on any process, use a far point.
 bool PolygonsUse(vtkPointSet* input, const conformal::PointView& points,
   const conformal::FarPoints& far, const conformal::Reduce& reduce)
@@ -43,10 +50,7 @@ void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkP
   const conformal::PointView points = ViewPoints(input->GetPoints(), {}, cloud.Copy);
   const std::function<bool(conformal::Index)> isGhost = GhostTest(input);
   const auto isUnused = [&](conformal::Index i)
-  {
-    return (isGhost && isGhost(i)) ||
-      (priorities.size() > 0 && !(priorities[i] > 0.0 && std::isfinite(priorities[i])));
-  };
+  { return (isGhost && isGhost(i)) || !HasPriority(priorities, i); };
   cloud.Far = conformal::findFarPoints(points, isUnused, reduce, SMPRun());
   if (cloud.Far.Count > 0 && PolygonsUse(input, points, cloud.Far, reduce))
   {
@@ -71,6 +75,21 @@ void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkP
   }
   // If the points are copied, Skip reads the copy. Therefore, the copy must not be moved.
   cloud.View = ViewPoints(input->GetPoints(), cloud.Frame, cloud.Copy);
+}
+
+//------------------------------------------------------------------------------
+void SkipCopies(
+  const conformal::NumberView& priorities, const conformal::Reduce& reduce, CloudInput& cloud)
+{
+  const auto skip = [&](conformal::Index i)
+  { return !HasPriority(priorities, i) || (cloud.Skip && cloud.Skip(i)); };
+  const conformal::Copies copies = conformal::findCopies(cloud.View, skip, reduce, SMPRun());
+  cloud.NumberOfCopies = copies.Count;
+  if (copies.Count > 0)
+  {
+    cloud.Skip = [others = cloud.Skip, copies](conformal::Index i)
+    { return copies.contains(i) || (others && others(i)); };
+  }
 }
 
 //------------------------------------------------------------------------------

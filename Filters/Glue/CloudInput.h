@@ -1,5 +1,5 @@
 // Read a point cloud for the numerical core (Filters/Numerics). Points far from all others, such as
-// markers of invalid points, are detected and skipped.
+// markers of invalid points, and copies of points are detected and skipped.
 #ifndef GlueCloudInput_h
 #define GlueCloudInput_h
 
@@ -25,8 +25,10 @@ struct CloudInput
   /// array of the input, or to Copy.
   conformal::PointView View;
   conformal::FarPoints Far; ///< points far from all others
-  /// Function that returns whether to skip a point, because it is a ghost point or a far point. If
-  /// there are no points to skip, the function is empty.
+  /// Number of copies of points on all ranks, see SkipCopies()
+  conformal::Index NumberOfCopies = 0;
+  /// Function that returns whether to skip a point, because it is a ghost point, a far point, or a
+  /// copy of another point. If there are no points to skip, the function is empty.
   std::function<bool(conformal::Index)> Skip;
   conformal::Points Copy; ///< copy of the points, if the input has neither floats nor doubles
 };
@@ -45,6 +47,16 @@ struct CloudInput
 ///   since View and Skip may refer to Copy.
 void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkPointSet* surface,
   const conformal::Reduce& reduce, CloudInput& cloud);
+
+/// Skip the copies of points, so that each position is used once: of the points with the same
+/// coordinates that are not skipped otherwise, only the first is used. All ranks must call this
+/// function.
+/// @param[in] priorities  one number for each point, as in ReadCloud(). May be empty. Points
+/// without
+///   a positive and finite priority are ignored.
+/// @param[in,out] cloud  cloud of ReadCloud(). NumberOfCopies is set, and Skip is extended.
+void SkipCopies(
+  const conformal::NumberView& priorities, const conformal::Reduce& reduce, CloudInput& cloud);
 
 /// If there are far points, issue a warning.
 void WarnOfFarPoints(vtkObject* self, const conformal::FarPoints& far);

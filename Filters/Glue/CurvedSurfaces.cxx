@@ -150,6 +150,7 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
   if (fits)
   {
     ReadCloud(cloud, {}, surface, processes.reduce(), points);
+    SkipCopies({}, processes.reduce(), points);
   }
   const conformal::CoordinateFrame frame =
     fits ? points.Frame : FrameOf({ surface }, processes.reduce());

@@ -1304,6 +1304,28 @@ TEST(ConformalSOM, GhostPointsAreSkipped)
   EXPECT_EQ(a->GetOutput()->GetPoint(100)[0], b->GetOutput()->GetPoint(100)[0]);
 }
 
+// Files with a point for each corner of a triangle have each vertex about six times.
+TEST(ConformalSOM, CopiesOfPointsChangeNothing)
+{
+  auto cloud = MakeCloud(2000), copies = MakeCloud(2000);
+  vtkPoints* points = copies->GetPoints();
+  for (int copy = 1; copy < 6; ++copy)
+  {
+    for (vtkIdType i = 0; i < 2000; i += copy)
+    {
+      double x[3];
+      points->GetPoint(i, x);
+      points->InsertNextPoint(x);
+    }
+  }
+  auto plain = MakeFilter(cloud), copied = MakeFilter(copies);
+  contract::Observed observed(copied);
+  plain->Update();
+  copied->Update();
+  EXPECT_FALSE(observed.Error() || observed.Warning()) << observed.WarningMessage();
+  ExpectSamePoints(plain, copied);
+}
+
 TEST(ConformalSOM, OtherDataIsRefusedByThePort)
 {
   vtkNew<vtkImageData> image;

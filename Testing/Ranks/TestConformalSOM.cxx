@@ -111,6 +111,19 @@ TEST(ConformalSOM, OutliersAndBadPointsGiveTheSameBits)
   ExpectSameAsAlone(cloud, [](vtkConformalSOM*) {});
 }
 
+// The copies of a point are on other ranks than the point.
+TEST(ConformalSOM, CopiesGiveTheSameBits)
+{
+  auto cloud = clouds::Ellipsoid(2000);
+  for (vtkIdType i = 0; i < 4000; ++i)
+  {
+    double x[3];
+    cloud->GetPoint(i % 2000, x);
+    cloud->GetPoints()->InsertNextPoint(x);
+  }
+  ExpectSameAsAlone(cloud, [](vtkConformalSOM*) {});
+}
+
 TEST(ConformalSOM, LimbsTakeTheHullOnAllRanks)
 {
   auto cloud = clouds::Horseshoe(4000);

@@ -51,6 +51,22 @@ inline Share shareOf(const Reduce& reduce, std::int64_t own)
     std::accumulate(sizes.begin(), sizes.end(), std::int64_t(0)) };
 }
 
+/// Concatenate the integers of all ranks in rank order, on every rank.
+inline std::vector<std::int64_t> gatherIntegers(
+  const Reduce& reduce, const std::vector<std::int64_t>& own)
+{
+  if (reduce.NumberOfRanks == 1)
+  {
+    return own;
+  }
+  // All other ranks add 0, so that the bits do not change.
+  const auto [first, size] = shareOf(reduce, static_cast<std::int64_t>(own.size()));
+  std::vector<std::int64_t> all(size, 0);
+  std::copy(own.begin(), own.end(), all.begin() + first);
+  reduce.sum(all.data(), size);
+  return all;
+}
+
 /// Concatenate the numbers of all ranks in rank order, on every rank.
 inline std::vector<double> gather(const Reduce& reduce, const std::vector<double>& own)
 {
@@ -58,19 +74,17 @@ inline std::vector<double> gather(const Reduce& reduce, const std::vector<double
   {
     return own;
   }
-  const auto [first, size] = shareOf(reduce, static_cast<std::int64_t>(own.size()));
-  // Each number is sent as an integer with the same bits. All other ranks add 0, so that the bits
-  // do not change.
-  std::vector<std::int64_t> bits(size, 0);
-  std::transform(own.begin(), own.end(), bits.begin() + first,
+  // Each number is sent as an integer with the same bits.
+  std::vector<std::int64_t> bits(own.size());
+  std::transform(own.begin(), own.end(), bits.begin(),
     [](double number)
     {
       std::int64_t itsBits = 0;
       std::memcpy(&itsBits, &number, sizeof(number));
       return itsBits;
     });
-  reduce.sum(bits.data(), size);
-  std::vector<double> all(size);
+  bits = gatherIntegers(reduce, bits);
+  std::vector<double> all(bits.size());
   std::transform(bits.begin(), bits.end(), all.begin(),
     [](std::int64_t itsBits)
     {
