@@ -31,11 +31,11 @@ check_format()
 check_tidy()
 {
   install "clang-tidy-$llvm"
-  configure asan # without precompiled headers, which clang cannot read after GCC has made them
+  configure tidy # without precompiled headers, which clang cannot read after GCC has made them
   echo "Looking through Filters and IO"
-  "run-clang-tidy-$llvm" -quiet -p build/asan "^$PWD/(Filters|IO)/" >build/asan/tidy.log 2>&1 || {
-    grep 'error: ' build/asan/tidy.log | sort -u
-    echo "clang-tidy finds this; all of its output is in build/asan/tidy.log" >&2
+  "run-clang-tidy-$llvm" -quiet -p build/tidy "^$PWD/(Filters|IO)/" >build/tidy/tidy.log 2>&1 || {
+    grep 'error: ' build/tidy/tidy.log | sort -u
+    echo "clang-tidy finds this; all of its output is in build/tidy/tidy.log" >&2
     return 1
   }
 }
