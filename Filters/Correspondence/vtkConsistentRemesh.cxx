@@ -76,6 +76,7 @@ void AddModes(
   }
   if (!modes.Modes.empty())
   {
+    mean->GetPointData()->SetActiveVectors("ShapeMode1"); // which filters such as vtkWarpVector use
     glue::AddNumbers(mean->GetFieldData(), "ExplainedVariance", modes.Explained);
   }
 }

@@ -34,10 +34,10 @@
  * surfaces are aligned (property Alignment). The position and orientation of the mean shape are
  * those of the first surface.
  * - point array "SpherePosition" (double, 3 components): the directions.
- * - point arrays "ShapeMode1", "ShapeMode2" and so on (double, 3 components): the displacement of
- *   each point of the mean shape for one standard deviation of a principal component. If all modes
- *   are kept, each aligned block is the linear mean shape (property MeanType) plus a sum over the
- *   modes: the score of the shape times the mode.
+ * - point arrays "ShapeMode1" (active vectors), "ShapeMode2" and so on (double, 3 components): the
+ *   displacement of each point of the mean shape for one standard deviation of a principal
+ *   component. If all modes are kept, each aligned block is the linear mean shape (property
+ *   MeanType) plus a sum over the modes: the score of the shape times the mode.
  * - the point arrays that all surfaces have. Each value is the mean over the surfaces. In integer
  *   arrays with 1 component (labels), each value is the most frequent label.
  * - field data "ExplainedVariance" (double, one value per mode; absent if there are no modes):

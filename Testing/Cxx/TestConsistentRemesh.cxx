@@ -124,6 +124,7 @@ TEST_F(ConsistentRemesh, TwoHiddenModesExplainTheShapes)
   EXPECT_GE(explained->GetTuple1(0) + explained->GetTuple1(1), 0.99);
   contract::ExpectArray(
     mean->GetPointData(), "ShapeMode1", VTK_DOUBLE, 3, mean->GetNumberOfPoints());
+  EXPECT_EQ(mean->GetPointData()->GetVectors(), mean->GetPointData()->GetArray("ShapeMode1"));
   EXPECT_NE(mean->GetPointData()->GetArray("ShapeMode9"), nullptr);
   EXPECT_NEAR(mean->GetPointData()->GetArray("Number")->GetTuple1(11), 4.5, 1e-12);
   // The mean and all modes by their scores are the block.

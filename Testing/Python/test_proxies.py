@@ -88,15 +88,42 @@ class TestProxies(unittest.TestCase):
     def test_every_value_has_a_domain(self):
         for name, element in documented():
             if element.get("command") and element.tag != "InputProperty" and element.get("name") != "FileName":
+                is_typed = element.tag == "StringVectorProperty" or element.get("repeat_command")
                 with self.subTest(f"{name}.{element.get('name')}"):
-                    self.assertTrue(element.get("repeat_command") or
-                                    any(child.tag.endswith("Domain") for child in element))
+                    self.assertTrue(is_typed or any(child.tag.endswith("Domain") for child in element))
+
+    def test_texts_are_typed_or_chosen_from_a_list(self):
+        """A list of an empty text alone would be a menu in which nothing can be chosen."""
+        def element_of(class_name, property_name):
+            return next(element for element in proxy_of(class_name)[1] if element.get("name") == property_name)
+
+        self.assertIsNone(element_of("SphericalSOM", "LabelColumn").find("StringListDomain"))
+        chosen = element_of("GIFTIWriter", "AnatomicalStructure").find("StringListDomain")
+        self.assertEqual([string.get("value") for string in chosen][1:], ["CortexLeft", "CortexRight", "Cerebellum"])
+
+    def test_arrays_are_those_of_the_input_that_has_them(self):
+        for class_name, name in (("SurfaceLayers", "Volume"), ("MapLabels", "Labels"), ("SphericalResample", "Source")):
+            inputs = [list_.find("RequiredProperties/Property").get("name")
+                      for list_ in proxy_of(class_name)[1].iter("ArrayListDomain")]
+            with self.subTest(class_name):
+                self.assertEqual(inputs, [name])
+        self.assertEqual(list(proxy_of("SphericalTextureImage")[1].iter("ArrayListDomain")), [])  # of Source or Input
+
+    def test_every_output_of_several_has_a_name(self):
+        for class_ in CLASSES.values():
+            names = [port.get("name") for port in proxy_of(class_.unit)[0].findall("OutputPort")]
+            with self.subTest(class_.name):
+                self.assertEqual(len(names or class_.outputs[:1]), len(class_.outputs))
+
+    def test_blocks_are_taken_one_by_one_or_not_at_all(self):
+        """VTK runs a filter for each block, but not one that makes blocks itself."""
+        taken = {name: proxy_of(name)[0].find("InputProperty/DataTypeDomain").get("composite_data_supported")
+                 for name in ("ConformalSOM", "CurvedSeamlessSurface", "ConsistentRemesh")}
+        self.assertEqual(taken, {"ConformalSOM": "0", "CurvedSeamlessSurface": None, "ConsistentRemesh": "1"})
 
     def test_texts_are_short_and_for_a_panel(self):
         """No names of C++ and Python, which a header has: classes, methods, constants, ports."""
-        constants = {constant for class_ in CLASSES.values() for property_ in class_.properties
-                     for value in property_.values for constant in value.constants if "_" in constant}
-        pattern = rf"\bvtk[A-Z]\w*|\w+::|\bSet[A-Z]\w+|\bport \d|@\w+|\b(?:{'|'.join(sorted(constants))})\b"
+        pattern = r"\bvtk[A-Z]\w*|\w+::|\bSet[A-Z]\w+|\bport \d|@\w+|\b[A-Z]+_[A-Z_]+\b"
         for name, element in documented():
             text = " ".join(element.findtext("Documentation").split())
             with self.subTest(f"{name}.{element.get('name')}"):
@@ -194,6 +221,8 @@ class TestOverlays(unittest.TestCase):
         self.expect('<Overlay><Property name="Tolerance" shown_if="Method" /></Overlay>', "neither")
         self.expect('<Overlay><Property name="Method" labels="Rubust=Robust" /></Overlay>', "Rubust")
         self.expect('<Overlay outputs="One Two" />', "2 outputs")
+        with self.assertRaisesRegex(proxies.WrongOverlay, "vtkSurfaceLayers has several inputs; arrays of ArrayName"):
+            self.made('<Overlay outputs="Surface Layers Map" />', "SurfaceLayers")
 
     def test_what_the_class_has_itself(self):
         self.expect('<Overlay><Property name="Tolerance" max="2" /></Overlay>', "max of Tolerance", "leave it out")

@@ -16,7 +16,8 @@ OVERLAYS/Name.xml; a class without such needs has none:
         shown_if="TrainingMode=Online"      or "TrainingMode!=Online": by the label of the value, or On, Off
         min="0" max="1"                     where the class does not clamp it
         default="0"                         where the class replaces it by what it stands for
-        arrays="Input any 1"                of an ...ArrayName: input, attribute, components (0: any number)
+        arrays="Input point 1"              of an ...ArrayName: input, attribute, components (0: any number); needed
+                                            if there are several inputs; "" for a line in which a name is typed
         labels="GuYau=Gu and Yau"           of values, where it is not the words of SetMethodToGuYau(); by ;
         strings=";Left;Right" />            what a text is chosen from, by ;
       <Move name="A B" after="Input" />     where the panel has another order than the header
@@ -122,6 +123,17 @@ class Overlay:
     def get(self, name, attribute, default=None):
         """Return what the file has of an input or property."""
         return self.properties[name].get(attribute, default)
+
+    def arrays(self, name):
+        """Return input, attribute and components of the arrays that a property is chosen from; None if it is typed."""
+        given = self.get(name, "arrays")
+        if given is None and len(self.inputs) > 1:
+            raise self.error(f"{self.class_.name} has several inputs; arrays of {name} must name one of them")
+        if given == "":
+            return None
+        arrays = (given or "Input point 0").split()
+        self.check_names("input", arrays[:1], self.inputs)
+        return arrays
 
     @property
     def label(self):
@@ -288,16 +300,14 @@ class Proxy:
         """Return the attribute and the components of arrays that properties choose on an input, if any do."""
         for property_ in self.class_.properties:
             if property_.name.endswith("ArrayName"):
-                name, attribute, components = self.overlay.get(property_.name, "arrays", "Input point 0").split()
-                self.overlay.check_names("input", [name], self.overlay.inputs)
+                name, attribute, components = self.overlay.arrays(property_.name) or (None, None, None)
                 if name == port:
                     return attribute, None if components == "0" else components
         return None
 
     def data_types(self, element, port):
         """Add the types of data that an input takes, and the arrays that it has."""
-        types = add(element, "DataTypeDomain", name="input_type",
-                    composite_data_supported="1" if "vtkCompositeDataSet" in port.types else None)
+        types = add(element, "DataTypeDomain", name="input_type", composite_data_supported=self.takes_blocks(port))
         for type_ in port.types:
             add(types, "DataType", value=type_)
         if port.name in self.overlay.mapped:
@@ -306,6 +316,12 @@ class Proxy:
         if arrays:
             add(element, "InputArrayDomain", name="values", attribute_type=arrays[0],
                 number_of_components=arrays[1], optional="1")
+
+    def takes_blocks(self, port):
+        """Return 1 for an input of blocks, and 0 if VTK cannot run the class for each block, since it makes blocks."""
+        if "vtkCompositeDataSet" in port.types:
+            return "1"
+        return "0" if any("vtkMultiBlockDataSet" in output.types for output in self.class_.outputs) else None
 
     def input(self, port):
         """Make the element of an input."""
@@ -365,9 +381,7 @@ class Proxy:
         elif property_.name.endswith("FileName"):
             add(element, "FileListDomain", name="files")
         elif kind == "String":
-            domain = add(element, "StringListDomain", name="strings")
-            for string in self.overlay.get(property_.name, "strings", "").split(";"):
-                add(domain, "String", value=string)
+            self.string_list(element, property_)
         else:
             add(element, kind + "RangeDomain", name="range", min=self.limit(property_, "min", property_.minimum),
                 max=self.limit(property_, "max", property_.maximum))
@@ -387,11 +401,21 @@ class Proxy:
 
     def array_list(self, element, property_):
         """Add the list of arrays that a property is chosen from; empty stands for none where that is the default."""
-        port = self.overlay.get(property_.name, "arrays", "Input").split()[0]
+        arrays = self.overlay.arrays(property_.name)
+        if not arrays:
+            return
         domain = add(element, "ArrayListDomain", name="array_list", attribute_type="Scalars",
                      input_domain_name="values", none_string=None if property_.default else "")
         required = add(domain, "RequiredProperties")
-        add(required, "Property", name="ArrayInput" if self.is_gathered() else port, function="Input")
+        add(required, "Property", name="ArrayInput" if self.is_gathered() else arrays[0], function="Input")
+
+    def string_list(self, element, property_):
+        """Add the texts that a property is chosen from. Without any, the panel has a line in which a text is typed."""
+        strings = self.overlay.get(property_.name, "strings")
+        if strings is not None:
+            domain = add(element, "StringListDomain", name="strings")
+            for string in strings.split(";"):
+                add(domain, "String", value=string)
 
     def repeated(self, property_):
         """Make the element of a property that is a list."""
@@ -447,6 +471,8 @@ class Proxy:
             times = add(proxy, "DoubleVectorProperty", name="TimestepValues", repeatable="1", information_only="1")
             add(times, "TimeStepsInformationHelper")
             times.append(documentation("Available time steps."))
+        if len(self.class_.outputs) > 1 and not self.overlay.outputs:
+            raise self.overlay.error(f"{self.class_.name} has several outputs; outputs must name them")
         for index, name in enumerate(self.overlay.outputs):
             add(proxy, "OutputPort", index=index, name=name)
         self.hints(proxy, *hints)
