@@ -183,9 +183,11 @@ conformal::MappedMesh StartingMesh(vtkConformalSOM* self, vtkPointSet* input, vt
   const conformal::ConformalSOMOptions& options, const conformal::TrainingSamples& samples,
   const glue::CloudInput& cloud, glue::Processes& processes, const conformal::Run& run)
 {
-  if (start)
+  if (processes.firstWith(start) >= 0)
   {
-    return glue::ToSharedMesh(self, start, cloud.Frame, processes);
+    const vtkNew<vtkPolyData> nothing; // on processes without the mesh
+    return glue::ToSharedMesh(
+      self, start ? start : static_cast<vtkPolyData*>(nothing), cloud.Frame, processes);
   }
   if (!MayStartFromMesh(options))
   {

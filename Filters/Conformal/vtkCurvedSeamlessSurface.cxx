@@ -122,7 +122,7 @@ int FindOwner(vtkCurvedSeamlessSurface* self, vtkPolyData* surface, vtkPolyData*
   const int owner = processes.firstWith(surface->GetNumberOfPoints() > 0 && hasDirections);
   if (owner < 0)
   {
-    glue::WarnOfEmptyInput(self,
+    glue::WarnOfEmptyInput(self, processes,
       surface->GetNumberOfPoints() == 0
         ? "the surface is empty; the output is empty"
         : "the sphere on input port 1 is empty; the output is empty");

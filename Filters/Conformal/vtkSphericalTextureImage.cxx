@@ -152,6 +152,20 @@ void SumPixels(vtkDataArray* pixels, vtkUnsignedCharArray* holes, const conforma
   }
 }
 
+// Require the same size of the image on all processes, since pixels are summed over them.
+void RequireEqualSizes(vtkImageData* image, const conformal::Reduce& reduce)
+{
+  const int* size = image->GetDimensions();
+  const std::vector<double> own(size, size + 2), all = conformal::gather(reduce, own);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (all[i] != own[i % 2])
+    {
+      throw std::invalid_argument("ImageSize differs between processes; set the same on all");
+    }
+  }
+}
+
 // Surface, and placement of the image on its sphere. Both are empty on processes without the
 // surface.
 struct ImageOfSurface
@@ -279,32 +293,43 @@ void vtkSphericalTextureImage::SetSourceData(vtkPointSet* source)
 //------------------------------------------------------------------------------
 void vtkSphericalTextureImage::FitImageSize(double pixelsPerPoint)
 {
+  const bool isShared = this->Controller && this->GetNumberOfInputConnections(1) > 0;
   for (int port = 0; port < 2; ++port)
   {
     if (this->GetNumberOfInputConnections(port) > 0)
     {
-      this->GetInputAlgorithm(port, 0)->Update();
+      this->GetInputAlgorithm(port, 0)->UpdatePiece(
+        isShared ? this->Controller->GetLocalProcessId() : 0,
+        isShared ? this->Controller->GetNumberOfProcesses() : 1, 0);
     }
   }
   auto* surface = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
   auto* source = this->GetNumberOfInputConnections(1) > 0
     ? vtkPointSet::SafeDownCast(this->GetInputDataObject(1, 0))
     : surface;
-  glue::RunRequest(this,
-    [&]()
+  glue::RunCore(this, isShared ? this->Controller : nullptr,
+    [&](glue::Processes& processes)
     {
       if (!surface || !source)
       {
         throw std::invalid_argument("there is no surface or no source");
       }
-      const conformal::CoordinateFrame frame = glue::FrameOf({ surface, source });
-      const ImageOfSurface read = ReadImage(surface, frame);
-      const conformal::Points points = glue::ToPoints(source->GetPoints(), frame);
-      const conformal::Index height =
-        conformal::imageHeightFor(read.Mesh, points, read.Image, pixelsPerPoint, glue::RunOf(this));
-      const auto width = static_cast<int>(
-        std::lround(std::min(16384.0, double(height) * conformal::widthPerHeight(read.Image))));
-      this->SetImageSize(std::max(width, 1), static_cast<int>(height));
+      const conformal::Reduce reduce = processes.reduce();
+      const int owner = std::max(processes.firstWith(surface->GetNumberOfPoints() > 0), 0);
+      const conformal::CoordinateFrame frame = glue::FrameOf({ surface, source }, reduce);
+      const conformal::Points points =
+        conformal::gatherRows(reduce, glue::ToPoints(source->GetPoints(), frame));
+      std::int64_t size[] = { 0, 0 }; // width and height, found by the owner of the surface
+      if (processes.rank() == owner)
+      {
+        const ImageOfSurface read = ReadImage(surface, frame);
+        size[1] =
+          conformal::imageHeightFor(read.Mesh, points, read.Image, pixelsPerPoint, processes.run());
+        size[0] = std::lround(std::clamp(
+          static_cast<double>(size[1]) * conformal::widthPerHeight(read.Image), 1.0, 16384.0));
+      }
+      reduce.sum(size, 2);
+      this->SetImageSize(static_cast<int>(size[0]), static_cast<int>(size[1]));
     });
 }
 
@@ -353,15 +378,15 @@ int vtkSphericalTextureImage::RequestData(
       const int owner = processes.firstWith(surface->GetNumberOfPoints() > 0);
       if (owner < 0)
       {
-        glue::WarnOfEmptyInput(this, "the surface is empty; the image is empty");
+        glue::WarnOfEmptyInput(this, processes, "the surface is empty; the image is empty");
         return;
       }
-      const bool isShared = processes.size() > 1;
       vtkPointSet* valued = source ? source.Get() : surface.Get();
       const auto values = ValuesOf(valued, arrayName, processes);
       const vtkNew<vtkImageData> result;
       vtkDataArray* pixels =
         glue::AllocatePixels(result, outputVector->GetInformationObject(0), values);
+      RequireEqualSizes(result, processes.reduce());
       const auto holes = glue::MakeHoles(result);
       const conformal::CoordinateFrame frame =
         glue::FrameOf({ surface, source }, processes.reduce());
@@ -375,7 +400,7 @@ int vtkSphericalTextureImage::RequestData(
                    pixels, holes, grid, steps.next())
                : Paint(read, source, frame, grid, glue::PixelPainter(values, pixels, holes),
                    processes.reduce(), steps.next());
-      if (isShared)
+      if (processes.size() > 1)
       {
         SumPixels(pixels, holes, processes.reduce());
       }

@@ -133,7 +133,7 @@ int vtkSurfaceMismatch::RequestData(
       const bool hasReference = processes.firstWith(reference->GetNumberOfPoints() > 0) >= 0;
       if (!hasModel || !hasReference)
       {
-        glue::WarnOfEmptyInput(this,
+        glue::WarnOfEmptyInput(this, processes,
           hasModel ? "the reference is empty; there are no distances"
                    : "the model is empty; nothing was measured");
         return;

@@ -145,11 +145,13 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
   Processes& processes)
 {
   const conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
-  const bool fits = cloud && options.DomeHeight == conformal::DomeHeight::Fitted;
+  const bool fits =
+    options.DomeHeight == conformal::DomeHeight::Fitted && processes.firstWith(cloud) >= 0;
+  const vtkNew<vtkPolyData> nothing; // on processes without a cloud
   CloudInput points;
   if (fits)
   {
-    ReadCloud(cloud, {}, surface, processes.reduce(), points);
+    ReadCloud(cloud ? cloud : nothing.Get(), {}, surface, processes.reduce(), points);
     SkipCopies({}, processes.reduce(), points);
   }
   const conformal::CoordinateFrame frame =

@@ -306,6 +306,19 @@ int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
 }
 
 //------------------------------------------------------------------------------
+void WarnOfEmptyInput(vtkObject* self, const Processes& processes, const char* message)
+{
+  if (processes.size() == 1)
+  {
+    WarnOfEmptyInput(self, message);
+  }
+  else if (processes.isFirst())
+  {
+    vtkWarningWithObjectMacro(self, << message);
+  }
+}
+
+//------------------------------------------------------------------------------
 void RequestOwnPieces(
   vtkAlgorithm* self, vtkMultiProcessController* controller, vtkInformationVector** inputs)
 {

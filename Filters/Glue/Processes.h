@@ -14,6 +14,7 @@
 class vtkAlgorithm;
 class vtkInformationVector;
 class vtkMultiProcessController;
+class vtkObject;
 class vtkPolyData;
 
 namespace glue
@@ -86,6 +87,10 @@ private:
 /// the same status on all processes. The function RunCore() in Glue/Run.h is for a single process.
 int RunCore(vtkAlgorithm* self, vtkMultiProcessController* controller,
   const std::function<void(Processes&)>& core);
+
+/// Warn on the first of several processes that an input is empty on all of them. The function
+/// WarnOfEmptyInput() in Glue/Run.h is for a filter that runs on each process by itself.
+void WarnOfEmptyInput(vtkObject* self, const Processes& processes, const char* message);
 
 /// Implement RequestUpdateExtent of a filter on several processes. Each process requests its own
 /// piece of all inputs, whichever piece of the output is requested.

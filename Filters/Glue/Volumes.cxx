@@ -75,6 +75,10 @@ void RequestWholeImage(vtkInformation* inputInformation)
   {
     inputInformation->Set(
       Executive::UPDATE_EXTENT(), inputInformation->Get(Executive::WHOLE_EXTENT()), 6);
+    // Otherwise, the executive replaces the extent by that of the piece that a filter behind needs.
+    inputInformation->Set(Executive::UPDATE_PIECE_NUMBER(), 0);
+    inputInformation->Set(Executive::UPDATE_NUMBER_OF_PIECES(), 1);
+    inputInformation->Set(Executive::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <utility>
 
@@ -95,9 +96,15 @@ int vtkVolumeSurfacePoints::RequestData(
   options.LargestObject = this->LargestObject;
   const std::string name = this->ArrayName;
   const int component = this->Component;
+  const int piece = outputVector->GetInformationObject(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   return glue::RunCore(this,
     [&]()
     {
+      if (piece > 0)
+      {
+        return; // the first piece contains all points
+      }
       if (image->GetNumberOfPoints() == 0)
       {
         glue::WarnOfEmptyInput(this, "the image is empty; the output is empty");

@@ -142,13 +142,16 @@ TEST(ConformalSOM, StartsFromTheMeshOfOneRank)
   first->Update();
   const bool hasMesh = clouds::Rank() + 1 == clouds::NumberOfRanks();
   const vtkNew<vtkPolyData> nothing;
-  const Change start = [&](vtkConformalSOM* filter)
+  vtkPolyData* const others[] = { nothing, nullptr }; // connected on all ranks, or only on the last
+  for (vtkPolyData* other : others)
   {
-    const bool isAlone = filter->GetInput() == cloud;
-    filter->SetStartData(
-      isAlone || hasMesh ? first->GetOutput() : static_cast<vtkPolyData*>(nothing));
-  };
-  ExpectSameAsAlone(cloud, start);
+    const Change start = [&](vtkConformalSOM* filter)
+    {
+      const bool isAlone = filter->GetInput() == cloud;
+      filter->SetStartData(isAlone || hasMesh ? first->GetOutput() : other);
+    };
+    ExpectSameAsAlone(cloud, start);
+  }
 }
 
 TEST(ConformalSOM, StartsFromThePolygonsOfTheRankThatHasAll)

@@ -66,6 +66,21 @@ TEST(CurvedSeamlessSurface, IsFittedToTheCloudOfAllRanks)
   }
 }
 
+TEST(CurvedSeamlessSurface, TheCloudMayBeConnectedOnOneRankOnly)
+{
+  auto cloud = clouds::Ellipsoid(Size);
+  auto mesh = clouds::Learned(cloud);
+  auto alone = MakeFilter(mesh, cloud);
+  alone->SetController(nullptr);
+  alone->Update();
+  const vtkNew<vtkPolyData> nothing;
+  const bool isLast = clouds::Rank() + 1 == clouds::NumberOfRanks();
+  auto filter = MakeFilter(clouds::Rank() == 0 ? mesh.Get() : static_cast<vtkPolyData*>(nothing),
+    isLast ? cloud.Get() : nullptr);
+  filter->Update();
+  clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
+}
+
 TEST(CurvedSeamlessSurface, CarriesSupportOnOnAnyNumberOfRanks)
 {
   auto cloud = clouds::Ellipsoid(Size);

@@ -4,10 +4,49 @@
 #include "Clouds.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkImageAlgorithm.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVolumeSurfacePoints.h"
 
 namespace
 {
+// A volume with a ball, of which a process makes only the part that is requested, as readers do.
+class BallSource : public vtkImageAlgorithm
+{
+public:
+  static BallSource* New();
+  vtkTypeMacro(BallSource, vtkImageAlgorithm);
+
+protected:
+  BallSource() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const int extent[] = { 0, 23, 0, 23, 0, 23 };
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+    vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_DOUBLE, 1);
+    return 1;
+  }
+  void ExecuteDataWithInformation(vtkDataObject* output, vtkInformation* info) override
+  {
+    vtkImageData* image = this->AllocateOutputData(output, info);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      const double* x = image->GetPoint(i);
+      const double radius = std::hypot(x[0] - 11.5, x[1] - 11.5, x[2] - 11.5);
+      image->GetPointData()->GetScalars()->SetTuple1(i, 8.0 - radius);
+    }
+  }
+};
+vtkStandardNewMacro(BallSource);
+
 vtkSmartPointer<vtkGenusZeroHull> MakeFilter(vtkPolyData* cloud)
 {
   auto filter = vtkSmartPointer<vtkGenusZeroHull>::New();
@@ -51,6 +90,25 @@ TEST(GenusZeroHull, ByWindingNumbersIsThatOfOneProcessAlone)
     filter->Update();
     clouds::ExpectOnFirstRank(filter->GetOutput(), alone->GetOutput());
   }
+}
+
+// Each process would close its part of the volume by a plane.
+TEST(GenusZeroHull, PointsOfAVolumeAreThoseOfTheWholeVolume)
+{
+  const auto hullOf = [](vtkMultiProcessController* controller)
+  {
+    const vtkNew<BallSource> volume;
+    const vtkNew<vtkVolumeSurfacePoints> points;
+    points->SetInputConnection(volume->GetOutputPort());
+    auto hull = vtkSmartPointer<vtkGenusZeroHull>::New();
+    hull->SetController(controller);
+    hull->SetSpacing(0.05);
+    hull->SetInputConnection(points->GetOutputPort());
+    hull->Update();
+    return hull;
+  };
+  auto alone = hullOf(nullptr), shared = hullOf(clouds::Controller());
+  clouds::ExpectOnFirstRank(shared->GetOutput(), alone->GetOutput());
 }
 
 TEST(GenusZeroHull, AbortOnOneRankStopsAll)

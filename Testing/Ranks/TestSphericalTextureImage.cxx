@@ -100,6 +100,35 @@ TEST(SphericalTextureImage, TakesTheClosestTriangleOfAllRanks)
   ExpectSameAsAlone(source, ends, true, "Height");
 }
 
+TEST(SphericalTextureImage, FitsTheSizeOfTheImageToThePointsOfAllRanks)
+{
+  auto cloud = Cloud();
+  auto alone = MakeFilter(Painted(), cloud);
+  alone->SetController(nullptr);
+  alone->FitImageSize(2.0);
+  const vtkNew<vtkPolyData> nothing;
+  auto filter = MakeFilter(clouds::Rank() == 0 ? Painted().Get() : nothing.Get(),
+    clouds::OwnPart(cloud, clouds::EvenCuts(cloud->GetNumberOfPoints())));
+  filter->FitImageSize(2.0);
+  EXPECT_GT(filter->GetImageSize()[1], 16);
+  EXPECT_EQ(filter->GetImageSize()[0], alone->GetImageSize()[0]);
+  EXPECT_EQ(filter->GetImageSize()[1], alone->GetImageSize()[1]);
+}
+
+TEST(SphericalTextureImage, SizesThatDifferAreAnErrorOfAll)
+{
+  auto cloud = Cloud();
+  auto filter =
+    MakeFilter(Painted(), clouds::OwnPart(cloud, clouds::EvenCuts(cloud->GetNumberOfPoints())));
+  filter->SetImageSize(64 + clouds::Rank(), 32);
+  contract::Observed observed(filter);
+  filter->Update();
+  EXPECT_EQ(
+    observed.ErrorMessage().find("ImageSize differs between processes") != std::string::npos,
+    clouds::NumberOfRanks() > 1)
+    << observed.ErrorMessage();
+}
+
 TEST(SphericalTextureImage, AnArrayMissingOnOneRankIsAnErrorOfAll)
 {
   auto cloud = Cloud();
