@@ -164,11 +164,11 @@ class TestPlugin(unittest.TestCase):
 
     def test_menus_list_the_arrays_of_the_input(self):
         self.painted.UpdatePipeline()
-        baked = simple.SphericalTextureImage(Input=self.painted)
-        menu = baked.GetProperty("ArrayName").Available
-        self.assertEqual(menu[0], "")
-        self.assertIn("Normals", menu)
-        self.assertEqual(baked.ArrayName, "")
+        self.assertEqual(simple.SphericalTextureImage(Input=self.painted).ArrayName, "")
+        volume = simple.Wavelet()
+        volume.UpdatePipeline()
+        layers = simple.SurfaceLayers(Input=self.painted, Volume=volume)
+        self.assertEqual(list(layers.GetProperty("ArrayName").Available), ["", "RTData"])  # of the volume
         weighted = simple.TrivialProducer()
         cloud = vtkPolyData()
         cloud.DeepCopy(servermanager.Fetch(self.points))
