@@ -273,6 +273,18 @@ class TestMovie(unittest.TestCase):
                          [False, True, False, False, False])
         self.assertEqual(os.listdir(self.path("s")), ["frame0.vtp"])
 
+    def test_frames_of_another_unit_are_skipped_and_named(self):
+        names = [self.path(f"{unit}.tif") for unit in ("micron", "mm", "um")]
+        for step, name in enumerate(names):
+            write_stack(name, frame_of(step), unit=os.path.basename(name)[:-4])
+        completed = self.run_movie(*names, "-o", self.path("map.tif"), "--size", "32", "--table", self.path("map.csv"),
+                                   status=1)
+        self.assertIn("note: mm: the frame is skipped: its unit is mm instead of micron; convert the volume, or give "
+                      "--unit", completed.stderr)
+        self.assertEqual([row["state"] for row in rows_of(self.path("map.csv"))], ["reference", "skipped", "registered"])
+        completed = self.run_movie(*names[:2], "-o", self.path("map.tif"), "--size", "32", "--unit", "mm", "--overwrite")
+        self.assertEqual(completed.stderr, "")
+
     def test_frames_may_differ_in_size_and_type(self):
         write_stack(self.path("large.tif"), np.pad(frame_of(1), ((1, 2), (3, 0), (0, 4), (0, 0))))
         writer = vtkMetaImageWriter()

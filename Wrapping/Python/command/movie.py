@@ -55,7 +55,7 @@ def make_parser():
                              "Default: the first that can be used")
     parser.add_argument("--time-step", type=float, metavar="SECONDS",
                         help="time between two frames; default: that of a TIFF stack with several time steps, else 1")
-    parser.add_argument("--unit", metavar="NAME", help="unit of the coordinates, such as micron; default: that of the volumes")
+    parser.add_argument("--unit", metavar="NAME", help="unit of all coordinates, such as micron; default: that of the volumes")
     parser.add_argument("--table", metavar="FILE", help="measures of each frame to write, .csv: area, volume, speeds and rates")
     parser.add_argument("--surfaces", metavar="FOLDER", help="folder for a .vtp file of each frame: the surface with map, "
                         "velocities, rates and layers")

@@ -108,8 +108,7 @@ class Surfaces:
         """The surface around the object in a volume."""
         volume, unit = volumes.read(frame.path, self.steps, f"Read {frame.name}", frame.time)
         channels = volume.GetNumberOfScalarComponents()
-        if channels != (self.channels or channels):
-            raise Skipped(f"it has {channels} channels instead of {self.channels}")
+        self.expect_like_first(unit, channels)
         points = vtkVolumeSurfacePoints()
         points.SetInputData(volume)
         points.SetComponent(self.options.channel)
@@ -119,6 +118,14 @@ class Surfaces:
         surface = self.with_brightness(self.learned(points.GetOutput(), frame), volume, frame)
         self.unit, self.channels = self.unit or unit, channels
         return surface
+
+    def expect_like_first(self, unit, channels):
+        """Raise Skipped for a volume whose unit or number of channels differs from the first; --unit is of all volumes."""
+        if channels != (self.channels or channels):
+            raise Skipped(f"it has {channels} channels instead of {self.channels}")
+        if unit and self.unit and not self.options.unit and not volumes.is_same_unit(unit, self.unit):
+            raise Skipped(f"its unit is {unit} instead of {self.unit}; convert the volume, or give --unit if the "
+                          "coordinates of all volumes have that unit")
 
     def with_brightness(self, surface, volume, frame):
         """The surface with the mean brightness of its layers, which shows motion along the surface."""

@@ -22,6 +22,7 @@ READERS = {
 STACKS = (".tif", ".tiff")
 EXTENSIONS = sorted({*READERS, *STACKS})
 NIFTI_UNITS = {1: "m", 2: "mm", 3: "micron"}  # of the lowest three bits of xyzt_units
+MICRONS = {"micron", "microns", "um", "\u00b5m", "\u03bcm"}
 
 
 def extension_of(path):
@@ -64,6 +65,11 @@ def unit_of(volume, reader=None):
     if isinstance(reader, vtkNIFTIImageReader) and reader.GetNIFTIHeader():
         return NIFTI_UNITS.get(reader.GetNIFTIHeader().GetXYZTUnits() & 7, "")
     return ""
+
+
+def is_same_unit(first, second):
+    """Whether two texts name one unit."""
+    return first == second or {first, second} <= MICRONS
 
 
 def expect_header(path, reader):
