@@ -192,6 +192,16 @@ class TestMovie(unittest.TestCase):
                 self.assertEqual((file.series[0].axes, file.series[0].shape), ("TZCYX", (2, 17, 2, 64, 64)))
                 self.assertEqual(file.imagej_metadata["finterval"], 12.5)
 
+    def test_stacks_of_different_intervals_need_a_time_step(self):
+        paths = [self.path(name) for name in ("a.tif", "b.tif", "c.tif")]
+        for path, interval in zip(paths, (30.0, 30.0001, 60.0)):
+            write_stack(path, np.zeros((4, 3, 3, 1), np.uint8), 2, interval)
+        output = ["-o", self.path("map.tif")]
+        self.assertIn(f"{paths[0]} has a frame each 30 s, but {paths[2]} each 60 s; give --time-step",
+                      " ".join(usage_error(*paths, *output).split()))
+        self.assertEqual(movie.arguments([*paths[:2], *output]).interval, 30.0)
+        self.assertEqual(movie.arguments([*paths, *output, "--time-step", "45"]).interval, 45.0)
+
     def test_surfaces_become_maps_of_growth_and_of_colors(self):
         names = [self.frame(f"head{step}.ply") for step in range(STEPS)]
         self.run_movie(*names, "-o", self.path("growth.tif"), "--size", "64", "--time-step", "10", "--unit", "mm")

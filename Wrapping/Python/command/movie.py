@@ -1,5 +1,6 @@
 """The command conformalsom movie: maps of a body over time, in which each part of the body keeps its place."""
 import argparse
+import math
 import os
 
 from . import jobs, movie_frames, movie_page, movie_results, outputs, volumes
@@ -30,6 +31,7 @@ examples:
 exit status: as that of conformalsom; 1 also if frames were skipped."""
 
 LARGEST = 1000000
+INTERVAL_TOLERANCE = 1e-3  # relative: files may have few digits
 
 
 def make_parser():
@@ -54,7 +56,8 @@ def make_parser():
                         help="frame whose map stays as it is, counted from 0; the spacing of the maps is true for it. "
                              "Default: the first that can be used")
     parser.add_argument("--time-step", type=float, metavar="SECONDS",
-                        help="time between two frames; default: that of a TIFF stack with several time steps, else 1")
+                        help="time between two frames; default: that of TIFF stacks with several time steps, which must "
+                             "agree, else 1")
     parser.add_argument("--unit", metavar="NAME", help="unit of all coordinates, such as micron; default: that of the volumes")
     parser.add_argument("--table", metavar="FILE", help="measures of each frame to write, .csv: area, volume, speeds and rates")
     parser.add_argument("--surfaces", metavar="FOLDER", help="folder for a .vtp file of each frame: the surface with map, "
@@ -89,8 +92,8 @@ def expect_sense(options):
         raise WrongUsage("--time-step must be in [1e-9, 1e9]")
     if options.unit is not None and ("=" in options.unit or not options.unit.isprintable() or not options.unit):
         raise WrongUsage("--unit must be a word such as micron")
-    options.all_frames, interval = movie_frames.frames_of(options.frames)
-    options.interval = options.time_step or (interval if interval and 1e-9 <= interval <= 1e9 else 1.0)
+    options.all_frames, intervals = movie_frames.frames_of(options.frames)
+    options.interval = options.time_step or interval_of(intervals)
     names = [frame.name for frame in options.all_frames]
     if options.surfaces and len(set(names)) < len(names):
         twice = next(name for name in names if names.count(name) > 1)
@@ -98,6 +101,15 @@ def expect_sense(options):
     if options.reference is not None and options.reference >= len(names):
         raise WrongUsage(f"--reference is {options.reference}, but there are {len(names)} frames, counted from 0")
     expect_files(options)
+
+
+def interval_of(intervals):
+    """The interval of pairs of path and interval [s], or 1 without files. Raises WrongUsage if intervals differ."""
+    first, interval = intervals[0] if intervals else ("", 1.0)
+    for path, other in intervals[1:]:
+        if not math.isclose(other, interval, rel_tol=INTERVAL_TOLERANCE):
+            raise WrongUsage(f"{first} has a frame each {interval:g} s, but {path} each {other:g} s; give --time-step")
+    return interval if 1e-9 <= interval <= 1e9 else 1.0
 
 
 def expect_files(options):

@@ -31,8 +31,8 @@ class Skipped(Exception):
 
 
 def frames_of(paths):
-    """All frames of files in their order, and the interval of a file with several frames or None."""
-    frames, interval = [], None
+    """All frames of files in their order, and pairs of path and interval of files with several frames."""
+    frames, intervals = [], []
     for path in paths:
         if not volumes.is_volume(path):
             frames.append(Frame(path, 0.0, mapped_files.name_of(path)))
@@ -46,10 +46,10 @@ def frames_of(paths):
         if len(times) == 1:
             frames.append(Frame(path, 0.0, name))
             continue
-        interval = interval or times[1] - times[0]
+        intervals.append((path, times[1] - times[0]))
         digits = len(str(len(times) - 1))
         frames += [Frame(path, time, f"{name}_{k:0{digits}}") for k, time in enumerate(times)]
-    return frames, interval
+    return frames, intervals
 
 
 class Surfaces:
@@ -120,7 +120,7 @@ class Surfaces:
         return surface
 
     def expect_like_first(self, unit, channels):
-        """Raise Skipped for a volume whose unit or number of channels differs from the first; --unit is of all volumes."""
+        """Raise Skipped unless unit and channels are those of the first volume; --unit replaces units of files."""
         if channels != (self.channels or channels):
             raise Skipped(f"it has {channels} channels instead of {self.channels}")
         if unit and self.unit and not self.options.unit and not volumes.is_same_unit(unit, self.unit):
