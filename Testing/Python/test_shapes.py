@@ -25,7 +25,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from browser import CHROMIUM, Browser
 from conformalsom import (
     vtkConformalPLYReader, vtkConformalPLYWriter, vtkGeodesicSphereSource, vtkSphericalTemplate, vtkTextCloudWriter)
-from conformalsom.command import outputs, shape_results, shapes
+from conformalsom.command import outputs, shape_results, shape_steps, shapes
 from conformalsom.command.steps import Steps
 from samples import write_las
 from test_command import COMMAND, command, files_in, read, write
@@ -263,6 +263,20 @@ def maps_of(study, names):
     maps = {path: points_of(read(vtkXMLPolyDataReader(), path)) for path in glob.glob(os.path.join(study, "work", "map-*"))}
     scans = [points_of(read(vtkConformalPLYReader(), os.path.dirname(study), name)) for name in names]
     return [next(path for path, points in maps.items() if np.allclose(points, scan)) for scan in scans]
+
+
+class TestClouds(unittest.TestCase):
+    def test_an_incomplete_cloud_becomes_a_closed_surface(self):
+        """A third of an ellipsoid, of which vtkConformalSOM would learn an open surface."""
+        directions, points, cloud = points_of(sphere(12)), vtkPoints(), vtkPolyData()
+        points.SetData(numpy_to_vtk(directions[directions[:, 2] < -0.3] * [2.0, 1.0, 0.7], deep=True))
+        cloud.SetPoints(points)
+        steps = Steps()
+        with contextlib.redirect_stdout(io.StringIO()):
+            surface = shape_steps.surface_of(cloud, steps)
+        edges = np.sort(triangles_of(surface)[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        self.assertTrue((np.unique(edges, axis=0, return_counts=True)[1] == 2).all())
+        self.assertRegex("".join(steps.warnings), "^Learn the mesh: [0-9.]+ % of the mesh area has no points nearby")
 
 
 class TestStops(unittest.TestCase):

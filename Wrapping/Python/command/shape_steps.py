@@ -106,6 +106,7 @@ def surface_of(data, steps):
     if not is_closed(data, steps):
         network = vtkConformalSOM()
         network.SetInputData(data)
+        network.SetBorderToClosed()
         steps.run("Learn the mesh", network)
         data = network.GetOutput()
     conformal = vtkGlobalConformalMap()
