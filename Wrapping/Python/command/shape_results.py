@@ -62,7 +62,8 @@ def text_of(number):
 
 def summary_of(shares, report):
     """What to print at the end."""
-    lines = ["variance of modes   " + " ".join(f"{share:.3f}" for share in shares)]
+    lines = ["variance of modes   " + (" ".join(f"{share:.3f}" for share in shares)
+                                       or "none: all shapes are equal, so that there are no modes")]
     if "MinimumCorrectedP" in report:
         lines.append(f"groups              {report['MinimumCorrectedP']:.4g} is the smallest corrected p; "
                      f"{report['SignificantFraction']:.1%} of the vertices are below 0.05")

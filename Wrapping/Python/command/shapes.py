@@ -176,12 +176,21 @@ class Study:
     def surfaces(self):
         """All surfaces registered with their mean, in the order of vtkSphericalTemplate."""
         maps = self.done(shape_steps.step_of("map", scan, [scan], self.work) for scan in self.options.scans)
+        self.note_copies(maps)
         surfaces = self.registered(maps, maps[0], 0)
         start = shape_steps.closest_of(self.mean(surfaces, 0))
         surfaces = self.registered(maps, maps[start], start)
         for _ in range(self.options.rounds):
             surfaces = self.registered(maps, self.mean(surfaces, start))
         return surfaces
+
+    def note_copies(self, maps):
+        """Show which scans have the same content: the names of their maps are hashes of it."""
+        for path in dict.fromkeys(maps):
+            first, *copies = (scan for scan, map_ in zip(self.options.scans, maps) if map_ == path)
+            if copies:
+                self.bar.note(f"conformalsom: {first}: note: its content is that of {', '.join(copies)}; scans must be "
+                              "independent, so that modes and tests are true: use each scan once")
 
     def run(self):
         """Make the study; returns the exit status."""
