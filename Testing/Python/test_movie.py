@@ -22,7 +22,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import conformalsom as cs
 from browser import CHROMIUM, Browser
-from conformalsom.command import movie, shape_page, volumes
+from conformalsom.command import movie, movie_frames, shape_page, volumes
 from conformalsom.command.steps import Steps
 from helpers.moving_cells import (
     GROWTH, SIZE, SPACING, angles, cells, frame_of, image_of, positions_of_cells, rotation, sphere_positions)
@@ -201,6 +201,19 @@ class TestMovie(unittest.TestCase):
                       " ".join(usage_error(*paths, *output).split()))
         self.assertEqual(movie.arguments([*paths[:2], *output]).interval, 30.0)
         self.assertEqual(movie.arguments([*paths, *output, "--time-step", "45"]).interval, 45.0)
+
+    def test_numbers_of_files_that_do_not_ascend_are_noted(self):
+        for paths, expected in (
+                (["t1.ply", "t10.ply", "t2.ply"], ("t10.ply", "t2.ply")),
+                (["a1/b.tif", "a0/b.tif"], ("a1/b.tif", "a0/b.tif")),
+                (["t01.ply", "t02.ply", "t10.ply"], None), (["t8.ply", "t9.ply", "t10.ply"], None), (["t1.ply"], None),
+                (["b1.ply", "a0.ply"], None), (["a2t1.ply", "a1t2.ply"], None), (["t2.ply", "last.ply"], None)):
+            with self.subTest(paths):
+                self.assertEqual(movie_frames.disorder_of(paths), expected)
+        first, second = self.frame("head1.ply"), self.frame("head0.ply")
+        completed = self.run_movie(first, second, "-o", self.path("map.tif"), "--array", "Nothing", status=1)
+        self.assertIn(f"{first} is before {second}: the numbers of the frames do not ascend; number files as in t01, ",
+                      completed.stderr)
 
     def test_surfaces_become_maps_of_growth_and_of_colors(self):
         names = [self.frame(f"head{step}.ply") for step in range(STEPS)]

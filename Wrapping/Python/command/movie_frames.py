@@ -1,6 +1,7 @@
 """Frames of a movie of a body: which there are, and a closed surface with a map to the sphere for each."""
 import contextlib
 import os
+import re
 import typing
 
 import numpy as np
@@ -50,6 +51,18 @@ def frames_of(paths):
         digits = len(str(len(times) - 1))
         frames += [Frame(path, time, f"{name}_{k:0{digits}}") for k, time in enumerate(times)]
     return frames, intervals
+
+
+def disorder_of(paths):
+    """Two neighboring files whose numbers do not ascend, or None; also None unless paths differ in one number only."""
+    rows = [re.split(r"([0-9]+)", path) for path in paths]  # texts between numbers, which have odd indices
+    if len({len(row) for row in rows}) > 1:
+        return None
+    differing = [k for k, texts in enumerate(zip(*rows)) if len(set(texts)) > 1]
+    if len(differing) != 1 or differing[0] % 2 == 0:
+        return None
+    numbers = [int(row[differing[0]]) for row in rows]
+    return next(((paths[i], paths[i + 1]) for i in range(len(paths) - 1) if numbers[i] > numbers[i + 1]), None)
 
 
 class Surfaces:

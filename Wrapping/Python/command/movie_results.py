@@ -27,6 +27,7 @@ BRIGHTNESS_WEIGHT = 1.0  # as that of the shape, see vtkSphericalTimeSeries
 
 def make(task, options, _, steps):
     """Make all results; returns an entry of a report, and what to print."""
+    note_disorder(options.frames, steps)
     frames = options.all_frames
     surfaces = movie_frames.Surfaces(options, steps)
     found = surfaces.of_all(frames)
@@ -57,6 +58,15 @@ def make(task, options, _, steps):
     return entry, (f"wrote {task.scan}: {len(maps.surfaces)} of {shape[0]} frames, {shape[1]} "
                    f"{'layers' if options.has_volumes else 'layer'}, {shape[4]} "
                    f"{'channel' if shape[4] == 1 else 'channels'}, {shape[3]} x {shape[2]} pixels\n")
+
+
+def note_disorder(paths, steps):
+    """Show if files may not be in the order of time, as where a shell sorts their names."""
+    disorder = movie_frames.disorder_of(paths)
+    if disorder:
+        first, second = disorder
+        steps.note("Order", f"{first} is before {second}: the numbers of the frames do not ascend; number files as in "
+                            "t01, t02, t10, or list them in the order of time")
 
 
 def expect_array(surface, frame, name):
