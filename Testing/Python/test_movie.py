@@ -282,10 +282,14 @@ class TestMovie(unittest.TestCase):
         os.truncate(self.path("cut.mha"), os.path.getsize(self.path("cut.mha")) // 2)
         write_stack(self.path("dark.tif"), np.zeros((*SIZE[::-1], 1), np.uint8))
         write_stack(self.path("two.tif"), frame_of(1, 2))
+        os.mkdir(self.path("s"))
+        for name in ("two.vtp", "other.vtp"):  # of an earlier call that used the frame, and of another frame
+            with open(self.path(os.path.join("s", name)), "w", encoding="ascii") as file:
+                file.write("earlier")
         completed = self.run_movie(
             self.path("torn.tif"), self.frame("frame0.tif"), self.path("dark.tif"), self.path("two.tif"),
             self.path("cut.mha"), "-o", self.path("map.tif"), "--size", "32", "--table", self.path("map.csv"), "--surfaces", self.path("s"),
-            "--page", self.path("map.html"), status=1)
+            "--page", self.path("map.html"), "--overwrite", status=1)
         for name in ("torn", "dark", "two", "cut"):
             self.assertRegex(completed.stderr, f"note: {name}: the frame is skipped: ")
         self.assertNotIn("interpolated", completed.stderr)
@@ -294,7 +298,7 @@ class TestMovie(unittest.TestCase):
                          ["skipped", "reference", "skipped", "skipped", "skipped"])
         self.assertEqual([map_of(self.path("map.tif"), frame).max() > 0 for frame in range(5)],
                          [False, True, False, False, False])
-        self.assertEqual(os.listdir(self.path("s")), ["frame0.vtp"])
+        self.assertEqual(sorted(os.listdir(self.path("s"))), ["frame0.vtp", "other.vtp"])
 
     def test_frames_of_another_unit_are_skipped_and_named(self):
         names = [self.path(f"{unit}.tif") for unit in ("micron", "mm", "um")]

@@ -63,7 +63,8 @@ def make_parser():
     parser.add_argument("--surfaces", metavar="FOLDER", help="folder for a .vtp file of each frame: the surface with map, "
                         "velocities, rates and layers")
     parser.add_argument("--page", metavar="FILE", help="page to write, .html: the surface and its map with a slider for time")
-    parser.add_argument("--overwrite", action="store_true", help="replace existing files, except inputs")
+    parser.add_argument("--overwrite", action="store_true", help="replace existing files, except inputs, and remove "
+                        "earlier surfaces of frames that are skipped")
     parser.set_defaults(report=None, jobs=1)  # of which jobs ask
     return parser
 

@@ -305,6 +305,19 @@ def write_all(task, options, steps, maps, series, kept, unit):
     if unit:
         writer.SetUnit(unit)
     outputs.write(steps, writer, options.output, task.token, options.overwrite)
+    if options.overwrite:
+        remove_earlier([path for k, path in enumerate(options.surface_files) if k not in kept], steps)
+
+
+def remove_earlier(paths, steps):
+    """Remove surfaces that an earlier call wrote for frames that are skipped now. A note names those that remain."""
+    for path in paths:
+        try:
+            os.unlink(path)
+        except FileNotFoundError:
+            pass
+        except OSError as error:
+            steps.note("Remove earlier surfaces", f"{path}: {error.strerror}")
 
 
 def write_text(path, task, options, write):
