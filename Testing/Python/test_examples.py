@@ -13,13 +13,14 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
+import body_map
 import compare_surfaces
 from conformalsom import (
     vtkFreeSurferReader, vtkGeodesicSphereSource, vtkGIFTIReader, vtkSPHARMCoefficientReader, vtkTIFFStackReader,
     vtkTIFFStackWriter)
 from conformalsom.command import scan_files
 import morph
-from helpers import mapped_models, moving_cells
+from helpers import bodies, builtin_figure, handle_bodies, mapped_models, moving_cells
 
 PYTHON = os.path.dirname(os.path.abspath(compare_surfaces.__file__))
 EXAMPLES = os.path.dirname(PYTHON)
@@ -137,6 +138,12 @@ class TestExamples(unittest.TestCase):
             scores = [float(line.split()[4]) for line in lines[-3:]]
             self.assertIn(scores, (sorted(scores), sorted(scores, reverse=True)))
             self.assertTrue(scan_files.read_models([mean])["mean"].GetPointData().HasArray("ShapeMode2"))
+
+    def test_bodies_made_by_code_face_outward(self):
+        for body in (builtin_figure.zero_set(body_map.comet), bodies.head(np.random.default_rng(1), 0.0).mesh(40),
+                     handle_bodies.surface_of(handle_bodies.torus, 40)):
+            points, triangles = handle_bodies.arrays_of(body)
+            self.assertGreater(np.linalg.det(points[triangles]).sum(), 0.0)  # 6 times the volume
 
     def test_a_body_gets_a_map_with_its_place(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -94,7 +94,7 @@ def cloud_of(surface, count, noise=0.0, seed=1):
     """Return random points of a surface, with normally distributed noise of a standard deviation."""
     random = np.random.default_rng(seed)
     points, triangles = arrays_of(surface)
-    a, b, c = (points[triangles[:, k]] for k in range(3))
+    c, b, a = (points[triangles[:, k]] for k in range(3))  # the picture of handles.py was made with this order
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     chosen = random.choice(len(triangles), count, p=areas / areas.sum())
     u, v = random.random((2, count, 1))

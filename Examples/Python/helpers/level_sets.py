@@ -1,11 +1,11 @@
 """Surfaces of functions on grids."""
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D, vtkReverseSense
 
 
 def zero_level(values, size, origin, spacing):
-    """Triangles where a function is 0, as a vtkPolyData.
+    """Triangles where a function is 0, as a vtkPolyData. They face away from where the function is negative.
 
     values: of the function at the nodes of a grid, x fastest. size: numbers of nodes along x, y and z. origin: first
     node. spacing: distance of nodes.
@@ -20,5 +20,7 @@ def zero_level(values, size, origin, spacing):
     contour.SetValue(0, 0.0)
     contour.ComputeNormalsOff()
     contour.ComputeScalarsOff()
-    contour.Update()
-    return contour.GetOutput()
+    outward = vtkReverseSense()  # vtkFlyingEdges3D orients triangles to where the function decreases
+    outward.SetInputConnection(contour.GetOutputPort())
+    outward.Update()
+    return outward.GetOutput()
