@@ -26,7 +26,7 @@ display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run --auto-servernum)
 output=$root/build/quickstart
 if [ $# -eq 0 ] || [[ $1 == -* ]]; then
-  /usr/bin/python3 "$root/Examples/Python/toy_bear.py" "$output"
+  /usr/bin/python3 "$root/Examples/Python/toy_bear.py" "$output" --overwrite # of an earlier run
   inputs=("$output/bear.vtp" --texture "$output/rosette.png")
 else
   inputs=("$1")

@@ -6,6 +6,7 @@ a direction to the surface, the height of domes, and the projection of a picture
 """
 import argparse
 import math
+import os
 import sys
 
 WIDTH, HEIGHT = 300, 260  # of a panel
@@ -126,10 +127,13 @@ def texture():
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--output", metavar="FILE", default="schematics.svg")
+    parser.add_argument("--output", metavar="FILE", default="schematics.svg", help="default schematics.svg")
+    output = parser.parse_args().output
+    if os.path.lexists(output):
+        parser.error(f"{output} already exists")
     panels = [network(), projection(), domes(), texture()]
     body = "".join(panel.svg(i * WIDTH) for i, panel in enumerate(panels))
-    with open(parser.parse_args().output, "w", encoding="utf-8") as file:
+    with open(output, "w", encoding="utf-8") as file:
         file.write(f'<svg xmlns="http://www.w3.org/2000/svg" width="{len(panels) * WIDTH}" height="{HEIGHT}" '
                    f'font-family="sans-serif" font-size="13"><rect width="100%" height="100%" '
                    f'fill="white"/>{body}</svg>\n')

@@ -4,18 +4,22 @@
 The command conformalsom does the same with any format, progress, messages and figures.
 """
 import argparse
+import os
 
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 from conformalsom import (
     vtkConformalPLYReader, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap,
     vtkTexturedSurfaceWriter)
+from conformalsom.command.outputs import files_of
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("scan", help="PLY file with points of an object that looks along +z, +y up")
 parser.add_argument("picture", help="PNG file to paint its front with")
 parser.add_argument("output", help="surface to write, .glb, .obj or .ply")
 files = parser.parse_args()
+for path in filter(os.path.lexists, files_of(files.output)):  # .obj and .ply have the picture beside them
+    parser.error(f"{path} already exists")
 
 scan, mesh, surface = vtkConformalPLYReader(), vtkConformalSOM(), vtkCurvedSeamlessSurface()
 scan.SetFileName(files.scan)

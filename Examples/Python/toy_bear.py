@@ -16,12 +16,17 @@ def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", metavar="FOLDER", help="is made if it is missing")
-    folder = parser.parse_args().folder
-    os.makedirs(folder, exist_ok=True)
-    for writer, data, name in ((vtkXMLPolyDataWriter(), builtin_figure.figure_cloud(), "bear.vtp"),
-                               (vtkPNGWriter(), textures.rosette(), "rosette.png")):
+    parser.add_argument("--overwrite", action="store_true", help="replace both files if they exist")
+    args = parser.parse_args()
+    scan, picture = (os.path.join(args.folder, name) for name in ("bear.vtp", "rosette.png"))
+    for path in (scan, picture):
+        if os.path.lexists(path) and not args.overwrite:
+            parser.error(f"{path} already exists; use --overwrite or another folder")
+    os.makedirs(args.folder, exist_ok=True)
+    for writer, data, path in ((vtkXMLPolyDataWriter(), builtin_figure.figure_cloud(), scan),
+                               (vtkPNGWriter(), textures.rosette(), picture)):
         writer.SetInputData(data)
-        writer.SetFileName(os.path.join(folder, name))
+        writer.SetFileName(path)
         writer.Write()
 
 

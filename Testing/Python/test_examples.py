@@ -95,6 +95,29 @@ class TestExamples(unittest.TestCase):
             for k, ratio in enumerate(rows["default / best"]):
                 self.assertAlmostEqual(float(ratio), float(rows["CSS Curvature"][k]) / best[k], delta=0.02)
 
+    def test_files_of_the_user_are_kept(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scan, picture, beside, drawing = (
+                os.path.join(folder, name) for name in ("scan.ply", "rosette.png", "model.mtl", "drawing.svg"))
+            for path in (scan, picture, beside, drawing):
+                with open(path, "w", encoding="ascii") as file:
+                    file.write("mine")
+            for kept, command in (
+                    (scan, ("quickstart.py", scan, picture, scan)),
+                    (picture, ("quickstart.py", scan, picture, picture)),
+                    (beside, ("quickstart.py", scan, picture, os.path.join(folder, "model.obj"))),
+                    (drawing, ("paper_schematics.py", "--output", drawing)),
+                    (picture, ("toy_bear.py", folder))):
+                with self.subTest(command):
+                    completed = run(*command)
+                    self.assertEqual(completed.returncode, 2)
+                    self.assertIn(f"{os.path.basename(kept)} already exists", completed.stderr)
+                    with open(kept, encoding="ascii") as file:
+                        self.assertEqual(file.read(), "mine")
+            completed = run("toy_bear.py", folder, "--overwrite")  # as quickstart.sh, which may run again
+            self.assertEqual((completed.returncode, completed.stderr), (0, ""))
+            self.assertGreater(os.path.getsize(picture), 1000)
+
     def test_missing_scan_ends_with_a_message(self):
         completed = run("compare_surfaces.py", "missing.ply")
         self.assertEqual(completed.returncode, 1)
