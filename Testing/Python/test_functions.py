@@ -693,6 +693,13 @@ class TestFunctions(unittest.TestCase):
                 for word in words:
                     self.assertRegex(text, rf"\n    {word}: [A-Z]\w*")
 
+    def test_help_names_values_as_functions_take_them(self):
+        text = " ".join(cs.learn.__doc__.split())
+        for part in ('"Off": never. "On": the largest plane', '"AsFound": an adaptive mesh', '"Automatic" (default): by the'):
+            self.assertIn(part, text)
+        self.assertNotRegex(text, "KEEP_GROUND|AS_FOUND|AUTOMATIC_METHOD|WINDING_NUMBERS")
+        self.assertIn('"LambertAzimuthal": preserves areas', " ".join(cs.Surface.layers.__doc__.split()))
+
 
 if __name__ == "__main__":
     unittest.main()

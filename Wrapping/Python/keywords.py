@@ -5,19 +5,21 @@ import inspect
 import numbers
 import re
 import textwrap
+import types
 import typing
 
 import numpy as np
 
 Function = typing.TypeVar("Function", bound=typing.Callable[..., typing.Any])
 NUMBERS_AND_TEXT = {"bool": "bool", "int": "int", "float": "float", "str": "str"}
+CONSTANT = re.compile(r"\b[A-Z][A-Z0-9_]+\b")
 
 
 class Keyword:
-    """A keyword argument: the property it sets, its type as text, and its default."""
+    """A keyword argument: the property it sets, its type as text, its default, and the numbers of its values."""
 
     def __init__(self, kind: str, name: str, type_: str, default: typing.Any,
-                 values: typing.Sequence[str] = ()) -> None:
+                 values: typing.Mapping[str, int] = types.MappingProxyType({})) -> None:
         self.kind, self.name, self.type, self.default, self.values = kind, name, type_, default, values
 
 
@@ -45,8 +47,8 @@ def keywords_of(class_: type) -> typing.Dict[str, Keyword]:
         elif start == "Set" and "Get" + name in methods and set(argument_types(method)) <= set(NUMBERS_AND_TEXT):
             keyword = setting(algorithm, methods, name)
         elif start == "Add" and "RemoveAll" + plural in methods:
-            types = [NUMBERS_AND_TEXT[type_] for type_ in argument_types(method)]
-            item = types[0] if len(types) == 1 else f"Tuple[{', '.join(types)}]"
+            items = [NUMBERS_AND_TEXT[type_] for type_ in argument_types(method)]
+            item = items[0] if len(items) == 1 else f"Tuple[{', '.join(items)}]"
             keyword = Keyword("list", name, f"Sequence[{item}]", ())
         else:
             continue
@@ -58,13 +60,13 @@ def setting(algorithm: typing.Any, methods: typing.Iterable[str], name: str) -> 
     """Return the keyword for a property with one value."""
     default = getattr(algorithm, "Get" + name)()
     start = f"Set{name}To"
-    values = [method[len(start):] for method in methods if method.startswith(start)]
+    values = {}
+    for method in methods:
+        if method.startswith(start):
+            getattr(algorithm, method)()
+            values[method[len(start):]] = getattr(algorithm, "Get" + name)()
     if values:
-        number = default
-        for value in values:
-            getattr(algorithm, start + value)()
-            if getattr(algorithm, "Get" + name)() == number:
-                default = value
+        default = next((value for value, number in values.items() if number == default), default)
         return Keyword("choice", name, f"Literal[{', '.join(map(repr, values))}]", default, values)
     if isinstance(default, tuple):
         return Keyword("setting", name, f"Sequence[{type(default[0]).__name__}]", default)
@@ -178,7 +180,8 @@ def properties_of(class_name: str, *, without: typing.Sequence[str] = ()) -> typ
         parameters += [inspect.Parameter(word, inspect.Parameter.KEYWORD_ONLY, default=keyword.default,
                                          annotation=keyword.type) for word, keyword in known.items()]
         setattr(checked, "__signature__", signature.replace(parameters=parameters))
-        texts = "\n".join(textwrap.fill(f"{word}: {text_of(class_, keyword)}", 100, initial_indent="    ",
+        values = values_of_constants(class_, known) if known else {}
+        texts = "\n".join(textwrap.fill(f"{word}: {text_of(class_, keyword, values)}", 100, initial_indent="    ",
                                         subsequent_indent="        ") for word, keyword in known.items())
         checked.__doc__ = inspect.cleandoc(function.__doc__ or "") + (
             f"\n\nKeyword arguments, the properties of {class_name}:\n\n{texts}\n" if texts else "")
@@ -186,13 +189,32 @@ def properties_of(class_name: str, *, without: typing.Sequence[str] = ()) -> typ
     return decorate
 
 
-def text_of(class_: typing.Any, keyword: Keyword) -> str:
-    """Return the first paragraph of the header's text of a property, in one line."""
+def values_of_constants(class_: typing.Any, keywords: typing.Mapping[str, Keyword]) -> typing.Dict[str, str]:
+    """Return the values, such as "Off", of the constants of a class, such as KEEP_GROUND of RemoveGround.
+
+    A constant is the value in capitals, begins with it, or ends as the property. Wrapping/Describe does the same.
+    """
+    constants = {name: member for base in class_.__mro__ if base.__module__.startswith("conformalsom.")
+                 for name, member in vars(base).items() if isinstance(member, int) and name.isupper()}
+    found = {}
+    for keyword in keywords.values():
+        end = "_" + snake_case(keyword.name).upper().split("_")[-1]
+        for value, number in keyword.values.items():
+            start = snake_case(value).upper()
+            names = [start, value.upper(), *(name for name, other in constants.items() if other == number
+                                             and (name.startswith(start + "_") or name.endswith(end)))]
+            found.update(dict.fromkeys(names, value))
+    return found
+
+
+def text_of(class_: typing.Any, keyword: Keyword, values: typing.Mapping[str, str]) -> str:
+    """Return the first paragraph of the header's text of a property, in one line, with values in place of constants."""
     ends = {"input": ("Connection", "Data")}.get(keyword.kind, ("",))
     start = "Add" if keyword.kind == "list" else "Set"
     methods = [getattr(class_, start + keyword.name + end, None) for end in ends]
     for method in methods:
         paragraphs = ((method.__doc__ if method else "") or "").split("\n\n")
         if len(paragraphs) > 1:
-            return " ".join(paragraphs[1].split())
+            text = " ".join(paragraphs[1].split())
+            return CONSTANT.sub(lambda match: f'"{values[match[0]]}"' if match[0] in values else match[0], text)
     return ""
