@@ -4,6 +4,7 @@ import copy
 import inspect
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -692,6 +693,16 @@ class TestFunctions(unittest.TestCase):
                 self.assertGreater(len(words), 3)
                 for word in words:
                     self.assertRegex(text, rf"\n    {word}: [A-Z]\w*")
+
+    def test_help_describes_every_value(self):
+        for function in (cs.learn, cs.conformal_map, cs.surface_from_volume, cs.mean_shape, cs.Surface.smooth,
+                         cs.Surface.paint, cs.Surface.register, cs.Surface.layers, cs.Surface.harmonics):
+            texts = re.findall(r"    (\w+): ((?:.*\n        )*.*)", function.__doc__.partition("Keyword arguments")[2])
+            described = dict(texts)
+            for word, parameter in inspect.signature(function).parameters.items():
+                for value in re.findall(r"'(\w+)'", str(parameter.annotation)) if word in described else ():
+                    with self.subTest(function=function.__name__, word=word, value=value):
+                        self.assertIn(f'"{value}"', described[word])
 
     def test_help_names_values_as_functions_take_them(self):
         text = " ".join(cs.learn.__doc__.split())

@@ -208,13 +208,28 @@ def values_of_constants(class_: typing.Any, keywords: typing.Mapping[str, Keywor
 
 
 def text_of(class_: typing.Any, keyword: Keyword, values: typing.Mapping[str, str]) -> str:
-    """Return the first paragraph of the header's text of a property, in one line, with values in place of constants."""
+    """Return the header's text of a property in one line: the first paragraph, and others that name further values.
+
+    Constants are replaced by values.
+    """
     ends = {"input": ("Connection", "Data")}.get(keyword.kind, ("",))
     start = "Add" if keyword.kind == "list" else "Set"
     methods = [getattr(class_, start + keyword.name + end, None) for end in ends]
     for method in methods:
         paragraphs = ((method.__doc__ if method else "") or "").split("\n\n")
         if len(paragraphs) > 1:
-            text = " ".join(paragraphs[1].split())
+            text = " ".join(naming_values(paragraphs[1:], keyword, values).split())
             return CONSTANT.sub(lambda match: f'"{values[match[0]]}"' if match[0] in values else match[0], text)
     return ""
+
+
+def naming_values(paragraphs: typing.Sequence[str], keyword: Keyword, values: typing.Mapping[str, str]) -> str:
+    """Return the first of paragraphs, and each other one that names a value of a property for the first time."""
+    kept: typing.List[str] = []
+    named: typing.Set[str] = set()
+    for paragraph in paragraphs:
+        own = {values.get(constant, "") for constant in CONSTANT.findall(paragraph)} & set(keyword.values)
+        if not kept or own - named:
+            kept.append(paragraph)
+            named |= own
+    return "\n".join(kept)
