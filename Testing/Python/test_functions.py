@@ -20,6 +20,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray, vtkFloatArray, vtkOutputWindow, vtkStringArray, vtkVariantArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOGeometry import vtkGLTFReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
 
 import conformalsom as cs
@@ -27,6 +28,7 @@ from conformalsom import pages, reporting
 from conformalsom.command import scan_colors, steps, volumes
 from conformalsom.inputs import as_floats, cloud_of, point_set, read_volume, volume_of
 from conformalsom.messages import errors_outside, heard
+from helpers import handle_bodies
 
 AXES = (1.0, 1.4, 0.8)
 # Learning that would last for hours.
@@ -693,6 +695,20 @@ class TestFunctions(unittest.TestCase):
                 self.assertGreater(len(words), 3)
                 for word in words:
                     self.assertRegex(text, rf"\n    {word}: [A-Z]\w*")
+
+    def test_surfaces_without_a_map_are_saved_but_not_as_pages(self):
+        torus = cs.Surface(handle_bodies.surface_of(handle_bodies.torus, 24))
+        torus.save(self.path("torus.glb"))
+        scene = vtkGLTFReader()
+        scene.SetFileName(self.path("torus.glb"))
+        scene.Update()
+        iterator = scene.GetOutput().NewIterator()
+        iterator.InitTraversal()
+        self.assertEqual(iterator.GetCurrentDataObject().GetNumberOfCells(), len(torus.faces))
+        with self.assertRaisesRegex(ValueError, "torus.html: a page needs a map to the sphere, .* save it as .glb"):
+            torus.save(self.path("torus.html"))
+        self.assertFalse(os.path.exists(self.path("torus.html")))
+        self.assertIsNone(torus._repr_html_())
 
     def test_help_describes_every_value(self):
         for function in (cs.learn, cs.conformal_map, cs.surface_from_volume, cs.mean_shape, cs.Surface.smooth,

@@ -5,7 +5,8 @@ import os
 import typing
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 import conformalsom
 from conformalsom.command import outputs, textures
@@ -85,6 +86,9 @@ def writer_of(surface: "Surface", path: str) -> typing.Any:
         writer.SetInputData(0, placed(surface))
         writer.SetInputData(1, surface.image or textures.one_pixel())
     elif outputs.extension_of(path) == ".html":
+        if not has_map(surface):
+            raise ValueError(f"{path}: a page needs a map to the sphere, and the surface has none: save it as .glb, or "
+                             "map a closed surface without handles by conformal_map()")
         writer.SetInputData(0, placed(surface))
         if surface.image is not None:
             writer.SetTextureData(surface.image)
@@ -96,10 +100,25 @@ def writer_of(surface: "Surface", path: str) -> typing.Any:
     return writer
 
 
+def has_map(surface: "Surface") -> bool:
+    """Return whether a surface has a map to the sphere. Surfaces with handles have none."""
+    return bool(surface.polydata.GetPointData().HasArray("SpherePosition"))
+
+
 def placed(surface: "Surface") -> typing.Any:
     """Return a surface with texture coordinates, cut along the seams of its picture."""
+    if not has_map(surface):
+        return in_one_color(surface)
     properties = {"split_seam": True, **surface.placement} if surface.image is not None else {}
     return updated("vtkSphericalTextureMap", [surface], properties=properties)[0].GetOutput()
+
+
+def in_one_color(surface: "Surface") -> typing.Any:
+    """Return a copy of a surface that shows a single pixel of a picture."""
+    copy = vtkPolyData()
+    copy.ShallowCopy(surface.polydata)
+    copy.GetPointData().SetTCoords(numpy_to_vtk(np.zeros((len(surface), 2), dtype=np.float32), deep=True))
+    return copy
 
 
 def to_pyvista(surface: "Surface") -> typing.Any:

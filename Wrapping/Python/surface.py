@@ -376,14 +376,18 @@ class Surface:
         replaced unless it stays the same.
 
         Raises FileExistsError if a file exists and is not to be replaced, OSError if a file cannot be written, and
-        ValueError for other extensions, and if NAME.png is the file that paint() read. Example:
+        ValueError for other extensions, if NAME.png is the file that paint() read, and for .html if the surface has no
+        map to the sphere. Example:
 
             surface.save("figure.glb")
         """
         exports.save(self, os.fspath(path), overwrite)
 
     def show(self) -> None:
-        """Show the surface and its map to the sphere: in a notebook, or as a page in the web browser."""
+        """Show the surface and its map to the sphere: in a notebook, or as a page in the web browser.
+
+        Raises ValueError outside of a notebook if the surface has no map to the sphere.
+        """
         pages.show(self)
 
     def to_pyvista(self) -> typing.Any:
@@ -401,8 +405,8 @@ class Surface:
         return (f"<conformalsom.Surface: {len(self):,} points, {len(self.faces):,} triangles"
                 f"{', painted' if self.image else ''}>")
 
-    def _repr_html_(self) -> str:
-        return pages.frame(self)
+    def _repr_html_(self) -> typing.Optional[str]:
+        return pages.frame(self) if exports.has_map(self) else None
 
     def __getstate__(self) -> typing.Dict[str, typing.Any]:
         return {"data": pickling.dumps(self._data), "texture": self.texture, "placement": self.placement,
