@@ -226,28 +226,28 @@ void SetAttributes(vtkPointSet* input, const conformal::CoordinateFrame& frame,
 
 // Warn of points that are left out.
 void WarnAbout(vtkConformalSOM* self, const glue::LeftOut& leftOut,
-  const conformal::TrainingSamples& samples, conformal::Side side)
+  const conformal::TrainingSamples& samples, const glue::CloudPart& part)
 {
   const conformal::Index all = samples.totalSize() + leftOut.Layer;
   if (leftOut.Ground > 0)
   {
     glue::WarnOfGround(self, leftOut.Ground, leftOut.Ground + all);
   }
-  else if (self->GetRemoveGround() == vtkConformalSOM::REMOVE_GROUND)
+  else if (part.Ground == conformal::RemoveGround::On)
   {
     glue::WarnOfMissingGround(self);
   }
   if (leftOut.Layer > 0)
   {
-    glue::WarnOfLayer(self, leftOut.Layer, all, side);
+    glue::WarnOfLayer(self, leftOut.Layer, all, part.Side);
   }
 }
 
 // Warn of defects of the input's points, and of points that are left out.
 void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples, vtkIdType unusable,
-  const conformal::FarPoints& far, const PointAttributes& attributes, conformal::Side side)
+  const conformal::FarPoints& far, const PointAttributes& attributes, const glue::CloudPart& part)
 {
-  WarnAbout(self, attributes.LeftOut, samples, side);
+  WarnAbout(self, attributes.LeftOut, samples, part);
   if (attributes.Patterns.NumberOfUnusable > 0)
   {
     vtkWarningWithObjectMacro(self, << attributes.Patterns.NumberOfUnusable
@@ -653,7 +653,7 @@ int vtkConformalSOM::RequestData(
       SetAttributes(input, cloud.Frame, options, samples, attributes);
       if (processes.isFirst())
       {
-        WarnAbout(this, samples, unusable, cloud.Far, attributes, part.Side);
+        WarnAbout(this, samples, unusable, cloud.Far, attributes, part);
       }
       if (!samples.empty())
       {

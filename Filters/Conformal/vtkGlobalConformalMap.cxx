@@ -141,9 +141,8 @@ conformal::ConformalTorusMapResult MapTorus(const conformal::Mesh& surface,
   return conformal::mapToTorus(surface, run);
 }
 
-void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResult& map)
+void WarnOf(vtkObject* self, const conformal::GlobalConformalMapResult& map, bool published)
 {
-  const bool published = self->GetMethod() == vtkGlobalConformalMap::GUYAU;
   if (map.NumberOfInfiniteStringConstants > 0)
   {
     vtkWarningWithObjectMacro(
@@ -166,8 +165,8 @@ void WarnOf(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResu
 }
 
 // Write the map of a surface of genus zero, or of a sheet, and warn of its defects.
-void AddSphereMap(vtkGlobalConformalMap* self, const conformal::GlobalConformalMapResult& map,
-  int numberOfBorders, vtkPolyData* output)
+void AddSphereMap(vtkObject* self, const conformal::GlobalConformalMapResult& map,
+  conformal::GlobalConformalMethod method, int numberOfBorders, vtkPolyData* output)
 {
   RemoveOldResults(output);
   glue::ReplaceSpherePositions(output, map.Positions);
@@ -183,7 +182,7 @@ void AddSphereMap(vtkGlobalConformalMap* self, const conformal::GlobalConformalM
                                     << "as holes inside");
   }
   AddFigures(output->GetFieldData(), map);
-  WarnOf(self, map);
+  WarnOf(self, map, method == conformal::GlobalConformalMethod::GuYau);
 }
 }
 
@@ -224,7 +223,7 @@ int vtkGlobalConformalMap::RequestData(
         : conformal::globalConformalMap(outward, options, steps.next());
       steps.next();
       glue::PassClosedMesh(surface, mesh, frame, output);
-      AddSphereMap(this, map, mesh.NumberOfBorders, output);
+      AddSphereMap(this, map, options.Method, mesh.NumberOfBorders, output);
     });
 }
 

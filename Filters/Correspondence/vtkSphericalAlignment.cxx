@@ -174,6 +174,10 @@ int vtkSphericalAlignment::RequestData(
       steps.next();
       output->ShallowCopy(surface);
       glue::ReplaceSpherePositions(output, map);
+      if (kind == conformal::AlignmentKind::Moebius)
+      {
+        glue::RemoveAreaDistortions(output);
+      }
       AddAlignment(output->GetFieldData(), result);
     });
 }

@@ -639,6 +639,7 @@ int vtkSphericalTimeSeries::RequestData(
   options.Registration.StretchWeight = this->StretchWeight;
   options.Registration.Frequency = this->Frequency;
   options.NumberOfSweeps = this->NumberOfSweeps;
+  const std::string landmarks = this->LandmarkArrayName;
   return glue::RunCore(this,
     [&]()
     {
@@ -653,7 +654,7 @@ int vtkSphericalTimeSeries::RequestData(
         }
         series.Features = this->Features;
         options.FeatureWeights = glue::WeightsOf(series.Features);
-        series.Compute(this, options, this->ReferenceStep, this->LandmarkArrayName);
+        series.Compute(this, options, this->ReferenceStep, landmarks);
       }
       if (series.IsDone)
       {

@@ -179,7 +179,7 @@ PatternArrays::Array Describe(vtkDataArray* source, const std::string& name,
   return array;
 }
 
-// Fill the rows of an array, from row `first` on. Return, for each point, whether it is usable.
+// Fill the rows of an array, from row `first` on. Mark the points with values that are not finite.
 void FillRows(vtkDataArray* source, const CloudInput& cloud, const PatternArrays::Array& array,
   double weight, conformal::Index first, conformal::Columns& values, std::vector<char>& unusable)
 {

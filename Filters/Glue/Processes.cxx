@@ -334,6 +334,7 @@ void RequestOwnPieces(
       vtkInformation* info = inputs[port]->GetInformationObject(i);
       info->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller->GetLocalProcessId());
       info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), controller->GetNumberOfProcesses());
+      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0); // each point on one process
     }
   }
 }

@@ -171,11 +171,8 @@ void SetRegistration(vtkPolyData* surface, const conformal::Points& places,
   vtkFieldData* data = surface->GetFieldData();
   AddNumber(data, "RegistrationStretch", result.Stretch);
   AddNumber(data, "LandmarkError", result.LandmarkError);
-  const vtkNew<vtkDoubleArray> agreement;
-  agreement->SetName("FeatureAgreement");
-  agreement->SetNumberOfComponents(2);
-  agreement->InsertNextTuple2(result.AgreementBefore, result.AgreementAfter);
-  data->AddArray(agreement);
+  const double agreement[] = { result.AgreementBefore, result.AgreementAfter };
+  AddTuple(data, "FeatureAgreement", agreement, 2);
   AddNumber(data, "NumberOfFolds", static_cast<long long>(result.NumberOfFolds));
   AddNumber(data, "Ambiguous", static_cast<long long>(result.IsAmbiguous));
 }

@@ -36,7 +36,8 @@ const char* const ImageFields[] = { "SpherePole", "SphereUp", "SphereRight", "Te
 const char* const DistortionArrays[] = { "AngleDistortion", "AreaDistortion",
   "QuasiConformalError" };
 const char* const DistortionFields[] = { "MeanAngleDistortion", "MeanQuasiConformalError",
-  "MaximumQuasiConformalError", "QuasiConformalError95", "AreaDistortionDeviation" };
+  "MaximumQuasiConformalError", "QuasiConformalError95", "AreaDistortionDeviation", "SphereDegree",
+  "NumberOfFlippedTriangles", "NumberOfZeroAreaTriangles" };
 
 constexpr double Turn = 360.0; // degrees
 
@@ -111,11 +112,7 @@ void AddSphereImage(vtkFieldData* data, const conformal::SphereImage& image)
   AddVectors(data, "SphereRight", image.View.Right.transpose());
   AddNumber(data, "TextureProjection", static_cast<long long>(image.Projection));
   AddNumber(data, "TextureFieldOfView", image.FieldOfView);
-  vtkNew<vtkDoubleArray> scale;
-  scale->SetName("TextureScale");
-  scale->SetNumberOfComponents(2);
-  scale->InsertNextTuple(image.Scale.data());
-  data->AddArray(scale);
+  AddTuple(data, "TextureScale", image.Scale.data(), 2);
   AddNumber(data, "TextureMargin", image.Margin);
 }
 
@@ -167,6 +164,13 @@ void RemoveDistortions(vtkPolyData* surface)
 {
   RemoveArrays(surface->GetCellData(), DistortionArrays);
   RemoveArrays(surface->GetFieldData(), DistortionFields);
+}
+
+//------------------------------------------------------------------------------
+void RemoveAreaDistortions(vtkPolyData* surface)
+{
+  surface->GetCellData()->RemoveArray("AreaDistortion");
+  surface->GetFieldData()->RemoveArray("AreaDistortionDeviation");
 }
 
 //------------------------------------------------------------------------------

@@ -52,11 +52,16 @@ bool HoldsPlaces(const std::string& name);
 /// Set "SpherePosition" of a surface to another map. Arrays that were computed from the earlier map
 /// are removed: places of pictures, longitudes and latitudes, and corresponding points of another
 /// surface. Texture coordinates are preserved, since a picture stays where it is on the surface.
+/// Distortions are preserved, too, since a rotation of the map does not change them. For a Moebius
+/// transform, call RemoveAreaDistortions(), and for other changes RemoveDistortions().
 void ReplaceSpherePositions(vtkPolyData* surface, const conformal::Points& positions);
 
 /// Remove the distortions of an earlier map: cell arrays and field data of vtkConformalDistortion,
 /// and field data of vtkConformalSOM and vtkGlobalConformalMap.
 void RemoveDistortions(vtkPolyData* surface);
+
+/// Remove the distortions of area of an earlier map. Those of angles are preserved.
+void RemoveAreaDistortions(vtkPolyData* surface);
 
 /// Return the sphere positions by which a picture is placed on a surface: a copy of the point array
 /// "TexturePosition", or, without this array, of "SpherePosition". The copied vectors are

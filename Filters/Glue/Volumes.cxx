@@ -104,8 +104,7 @@ conformal::VolumeImage ToVolume(vtkImageData* image, const std::string& name, in
   }
   volume.Values.resize(static_cast<std::size_t>(volume.size()));
   constexpr conformal::Index blockSize = conformal::Index(1) << 14;
-  // In order, so that the error message contains the first voxel that is not finite.
-  conformal::forBlocksReporting(run.inOrder(), volume.size(), blockSize,
+  conformal::forBlocksReporting(run, volume.size(), blockSize,
     [&](conformal::Index begin, conformal::Index end)
     {
       CopyComponent copy{ component, begin, end, volume.Values.data() };

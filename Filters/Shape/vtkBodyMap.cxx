@@ -45,11 +45,7 @@ void AddPoint(vtkFieldData* data, const char* name, const conformal::Vector3& po
 // Add an array of 9 components: the columns of the matrix, each of which is an axis.
 void AddAxes(vtkFieldData* data, const char* name, const Eigen::Matrix3d& axes)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(9);
-  array->InsertNextTuple(axes.data());
-  data->AddArray(array);
+  glue::AddTuple(data, name, axes.data(), 9);
 }
 
 void AddAngles(vtkPointData* data, const conformal::Points& map)
@@ -295,6 +291,7 @@ int vtkBodyMap::RequestData(
       const vtkNew<vtkPolyData> result;
       result->ShallowCopy(surface);
       glue::ReplaceSpherePositions(result, coordinates.SpherePositions);
+      glue::RemoveAreaDistortions(result);
       AddAngles(result->GetPointData(), coordinates.SpherePositions);
       AddRelief(result, body, isEllipsoid, frame);
       AddPlaces(result, body.Positions, coordinates, options, frame);

@@ -336,6 +336,7 @@ void SetInputSurface(vtkPolyData* output, vtkPolyData* input, const HarmonicsJob
   glue::SetPoints(output, Moved(rebuilt.leftCols(3), fit.Alignment), fit.Frame);
   glue::ReplaceSpherePositions(
     output, fit.Mesh.SpherePositions * fit.Alignment.MapRotation.transpose());
+  glue::RemoveDistortions(output); // of the surface before its points were moved
   for (const ChosenArray& chosen : job.Arrays)
   {
     AddRebuilt(output->GetPointData(), chosen, rebuilt.middleCols(chosen.First, chosen.Components));

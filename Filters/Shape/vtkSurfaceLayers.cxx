@@ -114,6 +114,7 @@ glue::LayeredSurface MakeLayers(vtkSurfaceLayers* self, vtkPolyData* surface,
     layered.Mesh.SpherePositions =
       conformal::findBodyCoordinates(layered.Mesh, axis, axisRun).SpherePositions;
     glue::ReplaceSpherePositions(output, layered.Mesh.SpherePositions);
+    glue::RemoveAreaDistortions(output);
   }
   layered.Normals = conformal::vertexNormals(layered.Mesh.Positions, layered.Mesh.Triangles);
   layered.Depths =

@@ -1,5 +1,6 @@
 #include "vtkFreeSurferReader.h"
 
+#include "Base/Steps.h"
 #include "Bytes/SurfacePairing.h"
 #include "FreeSurfer/FreeSurferParser.h"
 
@@ -29,11 +30,15 @@ conformal::SurfaceResult vtkFreeSurferReader::Parse(
   // Names are copied, since observers of the progress may change them.
   const std::string sphereName = this->SphereFileName ? this->SphereFileName : "";
   const std::string curvatureName = this->CurvatureFileName ? this->CurvatureFileName : "";
-  conformal::SurfaceResult result = conformal::parseFreeSurferSurface(input, {}, run);
+  conformal::Steps steps(run, { 0.5, 0.4, 0.1 }); // surface, sphere, values
+  conformal::SurfaceResult result = conformal::parseFreeSurferSurface(input, {}, steps.next());
+  const conformal::Run ofSphere = steps.next(), ofCurvature = steps.next();
   conformal::addSphere(result, sphereName,
-    [](conformal::ByteReader& sphere) { return conformal::parseFreeSurferSurface(sphere); });
+    [&](conformal::ByteReader& sphere)
+    { return conformal::parseFreeSurferSurface(sphere, {}, ofSphere); });
   conformal::addPointArrays(result, curvatureName,
-    [](conformal::ByteReader& curvature) { return conformal::parseFreeSurferCurv(curvature); });
+    [&](conformal::ByteReader& curvature)
+    { return conformal::parseFreeSurferCurv(curvature, {}, ofCurvature); });
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "vtkGIFTIReader.h"
 
+#include "Base/Steps.h"
 #include "Bytes/SurfacePairing.h"
 #include "GIFTI/GIFTIFile.h"
 #include "GIFTI/GIFTIParser.h"
@@ -30,11 +31,14 @@ conformal::SurfaceResult vtkGIFTIReader::Parse(
   // Names are copied, since observers of the progress may change them.
   const std::string sphereName = this->SphereFileName ? this->SphereFileName : "";
   const std::string shapeName = this->ShapeFileName ? this->ShapeFileName : "";
-  conformal::SurfaceResult result = conformal::parseGIFTISurface(input, {}, run);
+  conformal::Steps steps(run, { 0.5, 0.4, 0.1 }); // surface, sphere, arrays
+  conformal::SurfaceResult result = conformal::parseGIFTISurface(input, {}, steps.next());
+  const conformal::Run ofSphere = steps.next(), ofShape = steps.next();
   conformal::addSphere(result, sphereName,
-    [](conformal::ByteReader& sphere) { return conformal::parseGIFTISurface(sphere); });
+    [&](conformal::ByteReader& sphere)
+    { return conformal::parseGIFTISurface(sphere, {}, ofSphere); });
   conformal::addPointArrays(result, shapeName,
-    [](conformal::ByteReader& shape) { return conformal::parseGIFTIArrays(shape); });
+    [&](conformal::ByteReader& shape) { return conformal::parseGIFTIArrays(shape, {}, ofShape); });
   return result;
 }
 

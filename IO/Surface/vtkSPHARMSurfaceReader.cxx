@@ -1,5 +1,6 @@
 #include "vtkSPHARMSurfaceReader.h"
 
+#include "Base/Steps.h"
 #include "Bytes/SurfacePairing.h"
 #include "SPHARM/SPHARMMesh.h"
 
@@ -46,9 +47,11 @@ conformal::SurfaceResult vtkSPHARMSurfaceReader::Parse(
 {
   const std::string sphere =
     HasText(this->SphereFileName) ? this->SphereFileName : SphereBeside(this->FileName);
-  conformal::SurfaceResult result = conformal::parseSPHARMMesh(input, {}, run);
-  conformal::addSphere(
-    result, sphere, [](conformal::ByteReader& file) { return conformal::parseSPHARMMesh(file); });
+  conformal::Steps steps(run, { 0.5, 0.5 }); // surface, sphere
+  conformal::SurfaceResult result = conformal::parseSPHARMMesh(input, {}, steps.next());
+  const conformal::Run ofSphere = steps.next();
+  conformal::addSphere(result, sphere,
+    [&](conformal::ByteReader& file) { return conformal::parseSPHARMMesh(file, {}, ofSphere); });
   return result;
 }
 

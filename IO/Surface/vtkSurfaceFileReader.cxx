@@ -141,7 +141,13 @@ vtkSurfaceFileReader::Outcome vtkSurfaceFileReader::Read(const std::string& file
   {
     try
     {
-      result = this->Parse(input, piece, glue::RunOf(this));
+      const conformal::ParseStatus status =
+        conformal::statusOf([&]() { result = this->Parse(input, piece, glue::RunOf(this)); });
+      if (!status.ok()) // of what follows the parsers
+      {
+        result = {};
+        result.Status = status;
+      }
     }
     catch (const std::invalid_argument& e)
     {

@@ -131,6 +131,11 @@ TEST(ChainedFilters, AMapRemovesWhatDescribesAnEarlierOne)
     EXPECT_EQ(output->GetCellData()->GetArray("QuasiConformalError") != nullptr, keepsAngles);
     EXPECT_EQ(
       output->GetFieldData()->GetArray("MaximumQuasiConformalError") != nullptr, keepsAngles);
+    EXPECT_EQ(output->GetFieldData()->GetArray("SphereDegree") != nullptr, keepsAngles);
+    EXPECT_EQ(output->GetFieldData()->GetArray("AreaDistortionDeviation") != nullptr,
+      filter == aligned.Get()); // a rotation
+    EXPECT_EQ(
+      output->GetCellData()->GetArray("AreaDistortion") != nullptr, filter == aligned.Get());
   }
 }
 

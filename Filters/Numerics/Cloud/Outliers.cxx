@@ -24,9 +24,7 @@ constexpr double Farthest = 8.0, FarthestAmongOutliers = 5.0;
 constexpr int MaximumRounds = 8;
 constexpr double FewMarked = 0.001; // share of the samples that ends the rounds
 
-// Limits of StrayPoints.h, for samples that are not marked there
-constexpr int Neighbors = 8;
-constexpr double FromNeighbors = 3.0, Steepness = 0.8;
+constexpr int Neighbors = StrayLimits::Neighbors;
 
 constexpr Index BlockSize = 256;
 
@@ -90,10 +88,9 @@ public:
     {
       return false;
     }
-    const NearestPlane plane = planeNear(this->Clean, this->Tree, x, Neighbors);
-    const double width = plane.SquareWidths[1] + plane.SquareWidths[2];
-    return nearest.SquareDistance > FromNeighbors * FromNeighbors * this->Squares[nearest.Id] ||
-      plane.Offset * plane.Offset > Steepness * Steepness * width;
+    constexpr double limit = StrayLimits::FromNeighbors * StrayLimits::FromNeighbors;
+    return nearest.SquareDistance > limit * this->Squares[nearest.Id] ||
+      isSteep(planeNear(this->Clean, this->Tree, x, Neighbors));
   }
 
 private:

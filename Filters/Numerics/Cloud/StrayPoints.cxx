@@ -12,7 +12,7 @@ namespace conformal
 {
 namespace
 {
-constexpr int Neighbors = 8;
+constexpr int Neighbors = StrayLimits::Neighbors;
 
 /// Remove the marks from sparse parts of a surface. The mark of a point is removed if at least a
 /// quarter of the nearest marked points pass liesFlat(). For a few points scattered in space, this
@@ -118,7 +118,6 @@ bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place)
 
 std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
 {
-  constexpr double Steepness = 0.8;
   constexpr Index BlockSize = 256;
   std::vector<std::uint8_t> stray(points.rows(), 0);
   if (points.rows() <= Neighbors)
@@ -132,9 +131,7 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
     {
       for (Index i = begin; i < end; ++i)
       {
-        const NearestPlane plane = planeNear(points, tree, points.row(i), Neighbors);
-        const double width = plane.SquareWidths[1] + plane.SquareWidths[2];
-        stray[i] = plane.Offset * plane.Offset > Steepness * Steepness * width;
+        stray[i] = isSteep(planeNear(points, tree, points.row(i), Neighbors));
       }
     });
   return stray;
@@ -142,7 +139,7 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
 
 std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, const Run& run)
 {
-  constexpr double FromNeighbors = 3.0;
+  constexpr double FromNeighbors = StrayLimits::FromNeighbors;
   constexpr Index BlockSize = 256;
   const Index size = points.rows();
   std::vector<std::uint8_t> isolated(size, 0);

@@ -26,6 +26,22 @@ struct NearestPlane
   Vector3 SquareWidths;
 };
 
+/// Limits of strayPoints() and isolatedPoints(): number of neighbors, distance from the plane
+/// divided by w, and distance from neighbors divided by that of the neighbors
+struct StrayLimits
+{
+  static constexpr int Neighbors = 8;
+  static constexpr double Steepness = 0.8, FromNeighbors = 3.0;
+};
+
+/// Return whether a position is too far from the plane of its neighbors for a point of their
+/// surface, see strayPoints().
+inline bool isSteep(const NearestPlane& plane)
+{
+  const double width = plane.SquareWidths[1] + plane.SquareWidths[2];
+  return plane.Offset * plane.Offset > StrayLimits::Steepness * StrayLimits::Steepness * width;
+}
+
 /// Fit a plane to the points nearest to a position.
 /// @param[in] tree   tree of `points`; must have more than `count` points
 /// @param[in] count  number of points to which the plane is fitted

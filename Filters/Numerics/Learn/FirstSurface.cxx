@@ -172,7 +172,8 @@ OrientedPoints withPointsBetween(const Mesh& surface, Index wanted)
   const double share =
     surfaceArea(surface.Positions, surface.Triangles) / static_cast<double>(wanted);
   std::vector<double> between, normals;
-  for (Index r = 0; r < surface.Triangles.rows(); ++r)
+  // A surface without area gets no points.
+  for (Index r = 0; share > 0.0 && r < surface.Triangles.rows(); ++r)
   {
     const Vector3 a = surface.Positions.row(surface.Triangles(r, 0)),
                   ab = Vector3(surface.Positions.row(surface.Triangles(r, 1))) - a,

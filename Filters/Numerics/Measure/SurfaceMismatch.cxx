@@ -1,6 +1,7 @@
 #include "Measure/SurfaceMismatch.h"
 
 #include "Base/AcrossProcesses.h"
+#include "Base/Random.h"
 #include "Base/Steps.h"
 #include "Measure/MeanCurvature.h"
 #include "Mesh/GenusZeroCheck.h"
@@ -10,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <stdexcept>
 #include <string>
 
@@ -155,11 +155,9 @@ Spread spreadSamples(const Points& points, const Triangles& triangles, int count
   // Place samples at equal steps of the area. Inside triangles, use the additive recurrence of the
   // plastic number. Any part of this sequence fills the unit square evenly, for large and small
   // triangles. Only the starts of the steps and of the sequence are random.
-  std::mt19937_64 engine(static_cast<std::uint64_t>(seed));
-  // The C++ standard fixes the numbers of the engine but not those of its distributions.
-  const auto uniform = [&]() { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  Random random(static_cast<std::uint64_t>(seed));
   constexpr double plastic = 1.32471795724474602596;
-  const double step = uniform(), startU = uniform(), startV = uniform();
+  const double step = random.uniform(), startU = random.uniform(), startV = random.uniform();
   double whole = 0.0;
   Spread samples = { Points(count, 3), std::vector<int>(count) };
   for (int i = 0; i < count; ++i)

@@ -440,7 +440,7 @@ public:
     UnionOfParts united;
     united.NumberOfPartsJoined = this->NumberOfPartsJoined;
     std::vector<Piece> sequence = this->Pieces;
-    std::sort(sequence.begin(), sequence.end(),
+    std::stable_sort(sequence.begin(), sequence.end(),
       [](const Piece& a, const Piece& b)
       { return std::make_pair(!a.IsWhole, a.Source) < std::make_pair(!b.IsWhole, b.Source); });
     united.Positions = pointsOf(this->Positions);

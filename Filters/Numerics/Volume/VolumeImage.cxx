@@ -1,5 +1,7 @@
 #include "Volume/VolumeImage.h"
 
+#include <algorithm>
+
 namespace conformal
 {
 namespace

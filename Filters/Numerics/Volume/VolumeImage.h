@@ -8,7 +8,6 @@
 
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -27,12 +26,6 @@ struct VolumeImage
 
   Index size() const { return this->Size[0] * this->Size[1] * this->Size[2]; }
   Index id(Index i, Index j, Index k) const { return i + this->Size[0] * (j + this->Size[1] * k); }
-  /// Return a value. Indices outside of the image are clamped to it.
-  float clampedAt(Index i, Index j, Index k) const
-  {
-    return this->Values[this->id(std::clamp<Index>(i, 0, this->Size[0] - 1),
-      std::clamp<Index>(j, 0, this->Size[1] - 1), std::clamp<Index>(k, 0, this->Size[2] - 1))];
-  }
   /// Return the edge of a cube with the volume of a voxel.
   double voxelSize() const { return std::cbrt(std::abs(this->Axes.determinant())); }
 };

@@ -39,8 +39,8 @@ TEST(VolumeSmoothing, ImpulseBecomesAGaussian)
     }
     EXPECT_NEAR(variance, 2.25, 0.02) << axis;
   }
-  const double peak = volume.clampedAt(12, 13, 14);
-  EXPECT_NEAR(volume.clampedAt(13, 14, 15) / peak, std::exp(-1.5 / 2.25), 1e-4);
+  const double peak = volume.Values[volume.id(12, 13, 14)];
+  EXPECT_NEAR(volume.Values[volume.id(13, 14, 15)] / peak, std::exp(-1.5 / 2.25), 1e-4);
 }
 
 TEST(VolumeSmoothing, ConstantImagesStayConstant)
