@@ -238,8 +238,11 @@ class TestFunctions(unittest.TestCase):
             warnings.simplefilter("error", cs.FilterWarning)
             painted = surface.paint(picture())
             painted.save(self.path("open.obj"))
-        with self.assertWarnsRegex(cs.FilterWarning, "AreaBalance is not used"):
-            surface.paint(picture(), area_balance=0.5)
+            surface.bake(points, colors=np.full(points.shape, 90, dtype=np.uint8))
+        for paint in (lambda balance: surface.paint(picture(), area_balance=balance),
+                      lambda balance: surface.bake(points, colors=np.full(points.shape, 90), area_balance=balance)):
+            with self.assertWarnsRegex(cs.FilterWarning, "AreaBalance is not used"):
+                paint(0.5)
         self.assertEqual(self.surface.paint(picture()).placement["area_balance"], 0.5)
 
     def test_the_painted_picture_is_not_replaced(self):

@@ -212,16 +212,14 @@ class Surface:
             surface.paint("photo.png", view_direction=(0, 0, 1)).save("figure.glb")
         """
         picture = image_of(image)
-        if area_balance is None:
-            area_balance = 0.0 if self._has_border() else AREA_BALANCE
-        placement = {**properties, "area_balance": area_balance}
+        placement = {**properties, "area_balance": self._balance_of_picture(area_balance)}
         painted = self._filtered("vtkSphericalTextureMap", progress, placement)
         painted._picture = picture, placement
         painted._picture_file = os.path.abspath(image) if isinstance(image, (str, os.PathLike)) else None
         return painted
 
     def bake(self, scan: PointsLike, *, colors: typing.Optional[npt.ArrayLike] = None,
-             texture_size: typing.Optional[int] = None, area_balance: float = AREA_BALANCE,
+             texture_size: typing.Optional[int] = None, area_balance: typing.Optional[float] = None,
              progress: Progress = False) -> "Surface":
         """Paint the surface with the colors of a scan, averaged over each pixel of the picture.
 
@@ -230,7 +228,8 @@ class Surface:
         colors: red, green and blue of the points, n x 3 bytes in [0, 255]; default is the scan's own colors.
         texture_size: width and height of the picture in pixels, in [1, 16384]; by default, the density of the
         scan's points determines it, up to 4096.
-        area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5.
+        area_balance: trade-off of the picture between angles (0) and areas (1), in [0, 1]; default is 0.5, or 0 if the
+        surface has a border: other values are then not used, with a warning.
         progress: True for a bar, or a function that gets the completed fraction in [0, 1], once for each of two
         filters.
 
@@ -252,9 +251,9 @@ class Surface:
         if left_out > 0:
             texts.append(f"vtkSphericalTextureImage: {left_out} points are not finite and left out")
             warn(texts[-1:])
-        placement: typing.Dict[str, typing.Any] = {"projection": "Square"}
-        if not self._has_border():
-            placement = {"projection": "Octahedral", "margin": 0.01, "area_balance": area_balance}
+        placement: typing.Dict[str, typing.Any] = {
+            **({"projection": "Square"} if self._has_border() else {"projection": "Octahedral", "margin": 0.01}),
+            "area_balance": self._balance_of_picture(area_balance)}
         painted = self._filtered("vtkSphericalTextureMap", progress, placement)
         source = vtkTrivialProducer()
         source.SetOutput(painted.polydata)
@@ -423,6 +422,12 @@ class Surface:
         """Return whether the surface is mapped to a hemisphere, as are surfaces with a border."""
         map_ = self.polydata.GetPointData().GetArray("SpherePosition")
         return map_ is not None and map_.GetRange(2)[0] >= 0.0
+
+    def _balance_of_picture(self, area_balance: typing.Optional[float]) -> float:
+        """Return the trade-off of a picture between angles and areas: as given, or the default."""
+        if area_balance is not None:
+            return area_balance
+        return 0.0 if self._has_border() else AREA_BALANCE  # maps of surfaces with a border cannot be balanced
 
     def _filtered(self, class_name: str, progress: Progress, properties: typing.Mapping[str, typing.Any]) -> "Surface":
         """Run a filter on this surface; return its first output as a surface."""
