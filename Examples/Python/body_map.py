@@ -68,8 +68,11 @@ def arguments():
     args = parser.parse_args()
     if args.picture and not pictures.can_draw():
         parser.error("--picture needs a display: put xvfb-run before the command")
-    for path in (args.output, world_file_of(args.output), args.picture):
-        if path and os.path.lexists(path):
+    written = [path for path in (args.output, world_file_of(args.output), args.picture) if path]
+    if len(set(map(os.path.realpath, written))) < len(written):
+        parser.error(f"{', '.join(written)}: the map, its world file and the picture must be different files")
+    for path in written:
+        if os.path.lexists(path):
             parser.error(f"{path} already exists")
     if args.width < 16:
         parser.error("--width must be at least 16")

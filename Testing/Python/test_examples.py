@@ -191,6 +191,13 @@ class TestExamples(unittest.TestCase):
             self.assertEqual((completed.returncode, completed.stderr), (1, "body_map: missing.off: no such file\n"))
             self.assertEqual(run("body_map.py", path, "--output", path).returncode, 2)
 
+    def test_a_picture_of_a_body_does_not_replace_its_map(self):
+        for names in (("--picture", "body_map.png"), ("--output", "a.png", "--picture", "./a.png"), ("--output", "a.pgw")):
+            with self.subTest(names):
+                completed = run("body_map.py", *names)
+                self.assertEqual(completed.returncode, 2)
+                self.assertIn("must be different files", completed.stderr)
+
     def test_a_torus_keeps_its_handle_and_gets_a_texture(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "torus.vtp")
