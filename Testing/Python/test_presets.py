@@ -125,6 +125,13 @@ class TestPresets(unittest.TestCase):
         self.made("toys", "--preset", "print", "--unit", "mm", "--points", "1000")
         self.assertEqual(os.listdir(os.path.join(self.folder, "toys")), ["scan.3mf"])
 
+    def test_help_says_what_levels_need_and_have(self):
+        text = " ".join(self.run_command("--help").stdout.split())
+        levels = text.partition("--levels N number")[2].partition("--unit")[0]
+        self.assertIn("with --points N", levels)
+        self.assertIn("at least 500 and those that are duplicated", levels)
+        self.assertIn("game (8,000, 2,000 and 500 to 1,000 points", text)
+
     def test_options_that_contradict_each_other_are_refused(self):
         for message, *arguments in (
                 ("--unit", "--preset", "print", "-o", "toy.stl"),
