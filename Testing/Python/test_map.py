@@ -110,19 +110,19 @@ class TestMap(unittest.TestCase):
         self.assertLess(self.bands["slope"].max(), 4.0)
 
     def test_picture_has_heights_in_colors_with_labels_and_a_scale(self):
-        rows, columns, length = 180, 360, 40000.0
-        longitude = (np.arange(columns) + 0.5)[None, :] * np.ones((rows, 1))
+        rows, columns, length = 360, 720, 40000.0
+        longitude = (np.arange(columns) + 0.5)[None, :] * np.full((rows, 1), 360.0 / columns)
         bands = {"height": 500.0 * np.sin(np.radians(longitude)), "radius": np.full((rows, columns), 25000.0)}
-        bands["height"][:, 300:310] = np.nan
+        bands["height"][:, 600:620] = np.nan
         image = map_picture.draw(bands, 180.0, "A body")
         width, height, _ = image.GetDimensions()
         page = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].astype(int)
-        font = 9
+        font = 13
         left, top = 5 * font, 3 * font
         plane = page[top:top + rows, left:left + columns]
-        self.assertGreater(plane[45, 85, 0] - plane[45, 85, 2], 60)  # high: red
-        self.assertGreater(plane[45, 265, 2] - plane[45, 265, 0], 60)  # low: blue
-        np.testing.assert_array_equal(plane[45, 305], map_picture.MISSING)
+        self.assertGreater(plane[90, 170, 0] - plane[90, 170, 2], 60)  # high: red
+        self.assertGreater(plane[90, 530, 2] - plane[90, 530, 0], 60)  # low: blue
+        np.testing.assert_array_equal(plane[90, 610], map_picture.MISSING)
         ink = page.max(axis=2) < 120
         for part in (page[:top, left:], page[top:top + rows, :left], page[top + rows:top + rows + 2 * font],
                      page[top:top + rows, left + columns + 3 * font:]):  # title, labels, legend
@@ -130,6 +130,18 @@ class TestMap(unittest.TestCase):
         bar = ink[top + rows + 3 * font, left:]
         pixels = int(np.argmin(bar))  # a round length, as far as it goes in a quarter of the width
         self.assertAlmostEqual(pixels / columns * 2.0 * np.pi * 25000.0, 20000.0, delta=0.02 * length)
+
+    def test_pictures_of_narrow_maps_are_enlarged(self):
+        for columns, factor in ((16, 25), (300, 2), (400, 1)):
+            with self.subTest(columns):
+                heights = np.tile(np.linspace(-1.0, 1.0, columns), (columns // 2, 1))
+                image = map_picture.draw({"height": heights, "radius": np.full(heights.shape, 25.0)}, 180.0, "A body")
+                width, height, _ = image.GetDimensions()
+                page = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1]
+                font = max(9, round(map_picture.FONT * factor * columns / 1000))
+                self.assertEqual((width, height), (factor * columns + 14 * font, factor * columns // 2 + 8 * font))
+                is_paper = page[-5 * font + 2:-3 * font - 2].min(axis=(0, 2)) > 200
+                self.assertGreaterEqual((np.diff(is_paper.astype(int)) > 0).sum(), 13)  # gaps after labels
 
     def test_label_has_the_unit_and_the_name(self):
         """A table in meters with a label of PDS3, and one in kilometers with a label of PDS4."""

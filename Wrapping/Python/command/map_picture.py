@@ -8,6 +8,7 @@ from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 import vtkmodules.vtkRenderingFreeType  # noqa: F401 (draws the letters)
 
 LONGEST = 2000  # pixels along the width of the map; wider maps are averaged
+SHORTEST = 400  # pixels along the width of the map, so that labels do not overlap; narrower maps are enlarged
 INK, PAPER, MISSING = np.array([32, 38, 46]), 255, 200
 LOW, MIDDLE, HIGH = np.array([48, 86, 154]), np.array([232, 226, 212]), np.array([168, 62, 44])
 SPACING = 30  # degrees between labels
@@ -17,14 +18,15 @@ FONT = 18  # points, for a map that is 1000 pixels wide
 def draw(bands, central_longitude, title):
     """The picture of rows x columns of heights and radii [m]: a vtkImageData."""
     heights, radii = (reduced(bands[name]) for name in ("height", "radius"))
-    rows, columns = heights.shape
+    largest = float(np.nanmax(np.abs(heights))) if np.isfinite(heights).any() else 0.0
+    radius = float(np.nanmean(radii)) if np.isfinite(radii).any() else 0.0
+    colors = enlarged(colored(heights, largest, shade(heights, radii)))
+    rows, columns, _ = colors.shape
     font = max(9, round(FONT * columns / 1000))
     left, top, right, below = 5 * font, 3 * font, 9 * font, 5 * font
     page = np.full((top + rows + below, left + columns + right, 3), PAPER, np.uint8)
-    largest = float(np.nanmax(np.abs(heights))) if np.isfinite(heights).any() else 0.0
-    radius = float(np.nanmean(radii)) if np.isfinite(radii).any() else 0.0
     plane = page[top:top + rows, left:left + columns]
-    plane[:] = colored(heights, largest, shade(heights, radii))
+    plane[:] = colors
     degree = columns / 360.0
     for longitude in range(-360, 721, SPACING):
         across = (longitude - central_longitude + 180.0) * degree
@@ -51,6 +53,12 @@ def reduced(values):
     known = np.isfinite(blocks)
     number = known.sum(axis=(1, 3))
     return np.where(number > 0, np.where(known, blocks, 0.0).sum(axis=(1, 3)) / np.maximum(number, 1), np.nan)
+
+
+def enlarged(colors):
+    """Rows and columns of colors, each repeated as often as SHORTEST columns or more need."""
+    factor = -(-SHORTEST // colors.shape[1])
+    return colors.repeat(factor, axis=0).repeat(factor, axis=1)
 
 
 def shade(heights, radii):
