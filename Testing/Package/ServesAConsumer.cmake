@@ -41,6 +41,11 @@ execute_process(COMMAND "${consumer}/ConformalTexture" "${WORK_DIR}/no such fold
 if (result EQUAL 0)
   message(FATAL_ERROR "The consumer says nothing of a file that it could not write")
 endif ()
+execute_process(COMMAND "${consumer}/ConformalTexture" "${WORK_DIR}/unwritten.vtp" "${WORK_DIR}/no such scan.ply"
+  RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+if (result EQUAL 0)
+  message(FATAL_ERROR "The consumer says nothing of a scan that it could not read")
+endif ()
 file(READ "${result_file}" vtp LIMIT 20000)
 foreach (array IN ITEMS SpherePosition "Texture Coordinates")
   if (NOT vtp MATCHES "Name=\"${array}\"")

@@ -55,6 +55,11 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(texture->GetOutputPort());
   writer->SetFileName(argv[1]);
+  texture->Update();
+  if (texture->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    return EXIT_FAILURE; // a filter has reported the reason
+  }
   const bool written = writer->Write() != 0 && writer->GetErrorCode() == vtkErrorCode::NoError;
   std::cout << texture->GetOutput()->GetNumberOfPoints() << " points\n";
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
