@@ -148,6 +148,13 @@ class TestFunctions(unittest.TestCase):
         np.testing.assert_array_equal(inside_out.faces, self.surface.faces[:, ::-1])
         self.assertLess(volume(inside_out), -4.0)
         self.assertGreater(volume(inside_out.smooth(1000)), 4.0)
+        inside_out.save(self.path("inside_out.vtp"))
+        for kept in (inside_out.harmonics(4)[1], *cs.time_series([inside_out]).surfaces, inside_out.paint(picture()),
+                     cs.read(self.path("inside_out.vtp")), *inside_out.posed(inside_out, [inside_out])):
+            self.assertLess(volume(kept), -4.0)
+        with self.subTest("functions that keep triangles are documented"):
+            for name in ("harmonics", "time_series", "save", "paint", "posed", "read"):
+                self.assertIn(f"{name}()", cs.Surface.faces.__doc__)
 
     def test_registration_returns_the_second_best_result(self):
         mapped = cs.conformal_map((self.surface.points, self.surface.faces))

@@ -99,7 +99,8 @@ class Surface:
     def faces(self) -> Array:
         """Triangles: m x 3 integers, ids of points from 0, counter-clockwise seen from outside.
 
-        conformal_map(), read() and register() keep the triangles of the input, also those that are clockwise.
+        conformal_map(), read(), time_series(), paint(), bake(), register(), posed(), harmonics() and save() keep the
+        triangles of the input, also those that are clockwise; smooth() and mean_shape() make new ones.
         """
         polygons = self._data.GetPolys()
         if polygons.IsHomogeneous() != 3 or self._data.GetNumberOfStrips():
