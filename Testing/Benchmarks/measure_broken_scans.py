@@ -30,7 +30,7 @@ import time
 import numpy as np
 from scan_defects import AXES, Surface, far_from
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
+from vtkmodules.vtkFiltersCore import vtkQuadricDecimation, vtkReverseSense
 
 from conformalsom import vtkConformalSOM, vtkGenusZeroCheck
 from conformalsom.command import scan_files
@@ -93,8 +93,9 @@ def made_bodies(number, seed):
     for name, make in (("bust", bust), ("horse", horse)):
         random, made = np.random.default_rng([seed, len(name)]), 0
         while made < number:
-            check, coarser = vtkGenusZeroCheck(), vtkQuadricDecimation()
-            check.SetInputData(make(random).mesh(150))
+            inward, check, coarser = vtkReverseSense(), vtkGenusZeroCheck(), vtkQuadricDecimation()
+            inward.SetInputData(make(random).mesh(150))  # tables were made of the samples that this order of corners gives
+            check.SetInputConnection(inward.GetOutputPort())
             check.Update()
             if check.GetOutput().GetFieldData().GetArray("IsGenusZero").GetValue(0) != 1:
                 continue
