@@ -94,7 +94,7 @@ def made_bodies(number, seed):
         random, made = np.random.default_rng([seed, len(name)]), 0
         while made < number:
             inward, check, coarser = vtkReverseSense(), vtkGenusZeroCheck(), vtkQuadricDecimation()
-            inward.SetInputData(make(random).mesh(150))  # tables were made of the samples that this order of corners gives
+            inward.SetInputData(make(random).mesh(150))  # tables were made of the samples of this order of corners
             check.SetInputConnection(inward.GetOutputPort())
             check.Update()
             if check.GetOutput().GetFieldData().GetArray("IsGenusZero").GetValue(0) != 1:

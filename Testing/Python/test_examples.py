@@ -192,7 +192,8 @@ class TestExamples(unittest.TestCase):
             self.assertEqual(run("body_map.py", path, "--output", path).returncode, 2)
 
     def test_a_picture_of_a_body_does_not_replace_its_map(self):
-        for names in (("--picture", "body_map.png"), ("--output", "a.png", "--picture", "./a.png"), ("--output", "a.pgw")):
+        for names in (("--picture", "body_map.png"), ("--output", "a.png", "--picture", "./a.png"),
+                      ("--output", "a.pgw")):
             with self.subTest(names):
                 completed = run("body_map.py", *names)
                 self.assertEqual(completed.returncode, 2)

@@ -732,7 +732,8 @@ class TestFunctions(unittest.TestCase):
 
     def test_help_names_values_as_functions_take_them(self):
         text = " ".join(cs.learn.__doc__.split())
-        for part in ('"Off": never. "On": the largest plane', '"AsFound": an adaptive mesh', '"Automatic" (default): by the'):
+        for part in ('"Off": never. "On": the largest plane', '"AsFound": an adaptive mesh',
+                     '"Automatic" (default): by the'):
             self.assertIn(part, text)
         self.assertNotRegex(text, "KEEP_GROUND|AS_FOUND|AUTOMATIC_METHOD|WINDING_NUMBERS")
         self.assertIn('"LambertAzimuthal": preserves areas', " ".join(cs.Surface.layers.__doc__.split()))

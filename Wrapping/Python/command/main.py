@@ -95,15 +95,15 @@ def make_parser():
                              "says so if the cut of a picture needs more points; by default, each triangle of the learned mesh is divided until there are 64002 or more")
     parser.add_argument("--preset", choices=presets.PRESETS,
                         help="values of options for a purpose, unless they are given: web (10,000 points with a normal "
-                             "map, compressed), game (8,000, 2,000 and 500 to 1,000 points with a normal map), print (.3mf "
-                             "and .stl in millimeters), archive (250,000 points)")
+                             "map, compressed), game (8,000, 2,000 and 500 to 1,000 points with a normal map), print "
+                             "(.3mf and .stl in millimeters), archive (250,000 points)")
     parser.add_argument("--normal-map", action="store_true", default=None,
                         help="show the details of the smooth surface on one of N points: write a normal map into .glb "
                              "files; with --points N")
     parser.add_argument("--levels", type=positive, metavar="N",
                         help="number of levels of detail in .glb files (extension MSFT_lod); with --points N. Each "
-                             "level has about a quarter of the points of the one before, but at least 500 and those that are "
-                             "duplicated where a picture is cut, together up to about 1,000; default 1")
+                             "level has about a quarter of the points of the one before, but at least 500 and those "
+                             "that are duplicated where a picture is cut, together up to about 1,000; default 1")
     parser.add_argument("--unit", choices=METERS,
                         help="unit of the scan's coordinates; .glb files are in meters, as glTF requires, .3mf files in "
                              "millimeters, and with --preset print also .stl files. Default: that of the label beside a "
