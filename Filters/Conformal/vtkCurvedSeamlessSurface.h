@@ -123,8 +123,8 @@ public:
    * Distribution of the points of the output. DIRECTIONS: at the points of the mesh on input port
    * 1; without this mesh, evenly over the sphere. NETWORK: in every triangle of input port 0, so
    * that limbs that are small on the sphere also get points. AUTOMATIC (default): DIRECTIONS if
-   * input port 1 has a mesh, or if input port 0 was learned with MeshType GEODESIC by
-   * vtkConformalSOM; otherwise NETWORK.
+   * input port 1 has a mesh, or if input port 0 is a geodesic mesh of vtkConformalSOM; otherwise
+   * NETWORK.
    *
    * Without a mesh on input port 1, DIRECTIONS evaluates the surface at the points of a geodesic
    * sphere (vtkGeodesicSphereSource) of the given Frequency. NETWORK divides each triangle on the
