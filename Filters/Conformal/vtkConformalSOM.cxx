@@ -119,11 +119,12 @@ vtkIdType CountUnusable(
 // Skip copies of points in Batch mode, in which the weight of a point is the area around it. In
 // Online mode, a point with copies is used more often.
 void SkipCopies(const conformal::ConformalSOMOptions& options,
-  const conformal::NumberView& priorities, const conformal::Reduce& reduce, glue::CloudInput& cloud)
+  const conformal::NumberView& priorities, const conformal::Reduce& reduce,
+  const conformal::Run& run, glue::CloudInput& cloud)
 {
   if (options.TrainingMode == conformal::TrainingMode::Batch)
   {
-    glue::SkipCopies(priorities, reduce, cloud);
+    glue::SkipCopies(priorities, reduce, run, cloud);
   }
 }
 
@@ -645,9 +646,9 @@ int vtkConformalSOM::RequestData(
       PointAttributes attributes;
       glue::ReadCloud(input, priorities, nullptr, processes.reduce(), cloud);
       glue::ReadPatternArrays(input, patternNames, processes.reduce(), cloud, attributes.Patterns);
-      SkipCopies(options, priorities, processes.reduce(), cloud);
+      conformal::Steps steps(processes.run(), { 0.01, 0.03, 0.02, 0.88, 0.02, 0.02, 0.02 });
+      SkipCopies(options, priorities, processes.reduce(), steps.next(), cloud);
       options.Opening.HoleSize /= cloud.Frame.Unit;
-      conformal::Steps steps(processes.run(), { 0.04, 0.02, 0.88, 0.02, 0.02, 0.02 });
       conformal::TrainingSamples samples = glue::SelectedSamples(
         cloud, priorities, part, processes.reduce(), steps.next(), attributes.LeftOut);
       SetAttributes(input, cloud.Frame, options, samples, attributes);

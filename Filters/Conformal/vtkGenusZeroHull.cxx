@@ -156,11 +156,11 @@ int vtkGenusZeroHull::RequestData(
   return glue::RunCore(this, this->Controller,
     [&](glue::Processes& processes)
     {
-      // Relative costs of samples, hull and output.
-      conformal::Steps steps(processes.run(), { 0.02, 0.96, 0.02 });
+      // Relative costs of copies, samples, hull and output.
+      conformal::Steps steps(processes.run(), { 0.05, 0.02, 0.91, 0.02 });
       glue::CloudInput cloud;
       glue::ReadCloud(input, {}, nullptr, processes.reduce(), cloud);
-      glue::SkipCopies({}, processes.reduce(), cloud);
+      glue::SkipCopies({}, processes.reduce(), steps.next(), cloud);
       conformal::TrainingSamples samples(
         cloud.View, {}, cloud.Skip, processes.reduce(), steps.next());
       glue::CloudNormals normals;

@@ -78,12 +78,12 @@ void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkP
 }
 
 //------------------------------------------------------------------------------
-void SkipCopies(
-  const conformal::NumberView& priorities, const conformal::Reduce& reduce, CloudInput& cloud)
+void SkipCopies(const conformal::NumberView& priorities, const conformal::Reduce& reduce,
+  const conformal::Run& run, CloudInput& cloud)
 {
   const auto skip = [&](conformal::Index i)
   { return !HasPriority(priorities, i) || (cloud.Skip && cloud.Skip(i)); };
-  const conformal::Copies copies = conformal::findCopies(cloud.View, skip, reduce, SMPRun());
+  const conformal::Copies copies = conformal::findCopies(cloud.View, skip, reduce, run);
   cloud.NumberOfCopies = copies.Count;
   if (copies.Count > 0)
   {

@@ -5,6 +5,7 @@
 
 #include "Base/CoordinateFrame.h" // for CoordinateFrame
 #include "Base/Reduce.h"          // for Reduce
+#include "Base/Run.h"             // for Run
 #include "Base/Types.h"           // for Points, PointView, NumberView
 #include "Cloud/FarPoints.h"      // for FarPoints
 
@@ -55,8 +56,8 @@ void ReadCloud(vtkPointSet* input, const conformal::NumberView& priorities, vtkP
 /// without
 ///   a positive and finite priority are ignored.
 /// @param[in,out] cloud  cloud of ReadCloud(). NumberOfCopies is set, and Skip is extended.
-void SkipCopies(
-  const conformal::NumberView& priorities, const conformal::Reduce& reduce, CloudInput& cloud);
+void SkipCopies(const conformal::NumberView& priorities, const conformal::Reduce& reduce,
+  const conformal::Run& run, CloudInput& cloud);
 
 /// If there are far points, issue a warning.
 void WarnOfFarPoints(vtkObject* self, const conformal::FarPoints& far);

@@ -147,16 +147,17 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
   const conformal::CurvedSeamlessSurfaceOptions& options = properties.Options;
   const bool fits =
     options.DomeHeight == conformal::DomeHeight::Fitted && processes.firstWith(cloud) >= 0;
-  const vtkNew<vtkPolyData> nothing; // on processes without a cloud
+  const vtkNew<vtkPolyData> nothing;                       // on processes without a cloud
+  conformal::Steps steps(run, { 0.02, 0.12, 0.03, 0.83 }); // progress: copies, mesh, cloud, surface
+  const conformal::Run copying = steps.next();
   CloudInput points;
   if (fits)
   {
     ReadCloud(cloud ? cloud : nothing.Get(), {}, surface, processes.reduce(), points);
-    SkipCopies({}, processes.reduce(), points);
+    SkipCopies({}, processes.reduce(), copying, points);
   }
   const conformal::CoordinateFrame frame =
     fits ? points.Frame : FrameOf({ surface }, processes.reduce());
-  conformal::Steps steps(run, { 0.12, 0.03, 0.85 }); // progress: mesh, cloud, surface
   const Model model = ModelOf(properties, self, surface, frame, processes, steps.next());
   const conformal::Run reading = steps.next();
   const conformal::TrainingSamples samples = fits

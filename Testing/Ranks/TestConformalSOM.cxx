@@ -114,11 +114,11 @@ TEST(ConformalSOM, OutliersAndBadPointsGiveTheSameBits)
 // The copies of a point are on other ranks than the point.
 TEST(ConformalSOM, CopiesGiveTheSameBits)
 {
-  auto cloud = clouds::Ellipsoid(2000);
-  for (vtkIdType i = 0; i < 4000; ++i)
+  auto cloud = clouds::Ellipsoid(500);
+  for (vtkIdType i = 0; i < 1000; ++i)
   {
     double x[3];
-    cloud->GetPoint(i % 2000, x);
+    cloud->GetPoint(i % 500, x);
     cloud->GetPoints()->InsertNextPoint(x);
   }
   ExpectSameAsAlone(cloud, [](vtkConformalSOM*) {});

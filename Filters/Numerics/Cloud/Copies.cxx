@@ -1,6 +1,8 @@
 #include "Cloud/Copies.h"
 
-#include <algorithm>
+#include "Base/Steps.h"
+
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -45,24 +47,51 @@ struct Part
   std::vector<Index> Ids;
 };
 
+// Set of keys: a table in which a key is at its place, or at the next free one behind.
+class KeySet
+{
+public:
+  explicit KeySet(std::size_t size)
+  {
+    std::size_t places = 64;
+    while (places < 2 * size)
+    {
+      places *= 2;
+    }
+    this->Table.assign(places, NoKey);
+  }
+
+  // Add a key. Return false if the set has it already.
+  bool add(std::uint64_t key)
+  {
+    const std::size_t last = this->Table.size() - 1;
+    std::size_t place = (key >> 20) & last; // parts are chosen by the lower bits
+    while (this->Table[place] != NoKey && this->Table[place] != key)
+    {
+      place = (place + 1) & last;
+    }
+    const bool isNew = this->Table[place] == NoKey;
+    this->Table[place] = key;
+    return isNew;
+  }
+
+private:
+  std::vector<std::uint64_t> Table;
+};
+
 // Mark the copies within one part. Return their number on all ranks.
 Index markCopies(const Part& part, const Reduce& reduce, std::vector<bool>& isCopy)
 {
   const Share share = shareOf(reduce, static_cast<std::int64_t>(part.Keys.size()));
   const std::vector<std::int64_t> all = gatherIntegers(reduce, part.Keys);
-  std::vector<std::pair<std::int64_t, Index>> sorted(all.size());
+  KeySet keys(all.size());
+  Index count = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
-    sorted[i] = { all[i], static_cast<Index>(i) };
-  }
-  std::sort(sorted.begin(), sorted.end());
-  Index count = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-  {
-    if (sorted[i].first == sorted[i - 1].first)
+    if (!keys.add(static_cast<std::uint64_t>(all[i])))
     {
       ++count;
-      const Index own = sorted[i].second - share.Before;
+      const Index own = static_cast<Index>(i) - share.Before;
       if (own >= 0 && own < static_cast<Index>(part.Ids.size()))
       {
         isCopy[part.Ids[own]] = true;
@@ -79,7 +108,8 @@ Copies findCopies(const PointView& points, const std::function<bool(Index)>& ski
 {
   const std::uint64_t parts = 1 + shareOf(reduce, points.size()).Total / PointsPerPart;
   std::vector<std::uint64_t> keys(points.size());
-  forBlocks(run, points.size(), BlockSize,
+  Steps steps(run, { 0.5, 0.5 }); // keys, copies
+  forBlocksReporting(steps.next(), points.size(), BlockSize,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -87,6 +117,7 @@ Copies findCopies(const PointView& points, const std::function<bool(Index)>& ski
         keys[i] = (skip && skip(i)) || !points[i].allFinite() ? NoKey : keyOf(points[i]);
       }
     });
+  const Run marking = steps.next();
   Copies result;
   std::vector<bool> isCopy(points.size(), false);
   for (std::uint64_t part = 0; part < parts && (part == 0 || result.Count > 0); ++part)
@@ -101,7 +132,7 @@ Copies findCopies(const PointView& points, const std::function<bool(Index)>& ski
       }
     }
     result.Count += markCopies(own, reduce, isCopy);
-    run.report(static_cast<double>(part + 1) / static_cast<double>(parts));
+    marking.report(static_cast<double>(part + 1) / static_cast<double>(parts));
   }
   if (result.Count > 0)
   {
