@@ -136,7 +136,7 @@ TEST(ConformalSOM, LimbsTakeTheHullOnAllRanks)
 
 TEST(ConformalSOM, StartsFromTheMeshOfOneRank)
 {
-  auto cloud = clouds::Ellipsoid(4000);
+  auto cloud = clouds::Ellipsoid(1500);
   auto first = MakeFilter(cloud);
   first->SetController(nullptr);
   first->Update();

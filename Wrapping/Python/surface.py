@@ -252,9 +252,11 @@ class Surface:
         if left_out > 0:
             texts.append(f"vtkSphericalTextureImage: {left_out} points are not finite and left out")
             warn(texts[-1:])
-        placement: typing.Dict[str, typing.Any] = {
-            **({"projection": "Square"} if self._has_border() else {"projection": "Octahedral", "margin": 0.01}),
-            "area_balance": self._balance_of_picture(area_balance)}
+        placement: typing.Dict[str, typing.Any] = {"area_balance": self._balance_of_picture(area_balance)}
+        if self._has_border():
+            placement["projection"] = "Square"
+        else:
+            placement.update(projection="Octahedral", margin=0.01)
         painted = self._filtered("vtkSphericalTextureMap", progress, placement)
         source = vtkTrivialProducer()
         source.SetOutput(painted.polydata)
