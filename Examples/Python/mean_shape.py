@@ -79,7 +79,7 @@ def main():
     if args.similarity:
         remesh.SetAlignmentToSimilarity()
     steps.run("Find mean and modes", remesh)
-    mean = remesh.GetMeanShape()
+    mean = remesh.GetMeanSurface()
     mapped_models.write(mean, args.output, steps)
 
     of_template = template.GetMeanSurface()

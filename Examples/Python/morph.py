@@ -182,7 +182,7 @@ def draw_mean(models, args):
     remesh.SetAlignmentToSimilarity()
     remesh.AlignBlocksOff()  # models stay as they are placed
     remesh.Update()
-    mean = remesh.GetMeanShape()
+    mean = remesh.GetMeanSurface()
     shapes = [(remesh.GetOutput().GetBlock(i), f"model {i + 1}") for i in range(len(models))]
     shapes += [(varied(mean, -2.0), "mean - 2 modes"), (mean, "mean"), (varied(mean, 2.0), "mean + 2 modes")]
     if len(shapes) % 2:

@@ -42,15 +42,8 @@ Surface ToSurface(vtkPolyData* input)
 {
   Surface surface;
   surface.Triangles = glue::ToTriangles(input, surface.CellIds);
-  if (surface.Triangles.rows() == 0)
-  {
-    throw std::invalid_argument("the surface has no triangles");
-  }
   surface.Positions = glue::ToPoints(input->GetPoints(), glue::FrameOf({ input }));
-  if (!surface.Positions.allFinite())
-  {
-    throw std::invalid_argument("some points of the surface are not finite");
-  }
+  glue::RequireFiniteTriangles(surface);
   surface.SpherePositions = glue::ToSpherePositions(input);
   return surface;
 }

@@ -235,8 +235,8 @@ public:
   enum GroundRemovals
   {
     AUTOMATIC_GROUND = 0,
-    KEEP_GROUND = 1,
-    REMOVE_GROUND = 2
+    GROUND_OFF = 1,
+    GROUND_ON = 2
   };
 
   enum Sides
@@ -561,20 +561,20 @@ public:
    * on it. AUTOMATIC_GROUND (default): if there is a plane with a tenth of the points or more, no
    * points below it, and 40 % or more of its area on three or four sides of the object, and if the
    * object is high enough to be no relief. A flat side of the object, or a plinth, is not a ground.
-   * KEEP_GROUND: never. REMOVE_GROUND: the largest plane of the points is left out.
+   * GROUND_OFF: never. GROUND_ON: the largest plane of the points is left out.
    *
-   * AUTOMATIC_GROUND requires at least 500 points. REMOVE_GROUND requires at least 50 points, and a
-   * plane with at least 5 % of them. Otherwise, no points are left out, and REMOVE_GROUND gives a
+   * AUTOMATIC_GROUND requires at least 500 points. GROUND_ON requires at least 50 points, and a
+   * plane with at least 5 % of them. Otherwise, no points are left out, and GROUND_ON gives a
    * warning.
    *
    * The object is the largest connected part above the plane. If points are left out, there is a
    * warning, and the field data "NumberOfGroundPoints" has their number.
    */
-  vtkSetClampMacro(RemoveGround, int, AUTOMATIC_GROUND, REMOVE_GROUND);
+  vtkSetClampMacro(RemoveGround, int, AUTOMATIC_GROUND, GROUND_ON);
   vtkGetMacro(RemoveGround, int);
   void SetRemoveGroundToAutomatic() { this->SetRemoveGround(AUTOMATIC_GROUND); }
-  void SetRemoveGroundToOff() { this->SetRemoveGround(KEEP_GROUND); }
-  void SetRemoveGroundToOn() { this->SetRemoveGround(REMOVE_GROUND); }
+  void SetRemoveGroundToOff() { this->SetRemoveGround(GROUND_OFF); }
+  void SetRemoveGroundToOn() { this->SetRemoveGround(GROUND_ON); }
   ///@}
 
   ///@{

@@ -56,12 +56,8 @@ void AddScores(vtkFieldData* data, const conformal::ShapeModes& modes, conformal
   {
     return;
   }
-  vtkNew<vtkDoubleArray> scores;
-  scores->SetName("ShapeScores");
-  scores->SetNumberOfComponents(static_cast<int>(modes.Scores.cols()));
   const Eigen::VectorXd row = modes.Scores.row(shape);
-  scores->InsertNextTuple(row.data());
-  data->AddArray(scores);
+  glue::AddTuple(data, "ShapeScores", row.data(), static_cast<int>(row.size()));
 }
 
 void AddModes(
@@ -164,7 +160,7 @@ vtkConsistentRemesh::vtkConsistentRemesh()
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* vtkConsistentRemesh::GetMeanShape()
+vtkPolyData* vtkConsistentRemesh::GetMeanSurface()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }

@@ -172,7 +172,7 @@ public:
   /**
    * Return the mean shape, output port 1.
    */
-  vtkPolyData* GetMeanShape();
+  vtkPolyData* GetMeanSurface();
 
 protected:
   vtkConsistentRemesh();

@@ -41,7 +41,7 @@ void WarnOfGround(vtkObject* self, conformal::Index count, conformal::Index tota
   vtkWarningWithObjectMacro(
     self, << "the object stands on a plane; " << count << " of " << total
           << " points are left out as ground and other objects. To use them, set RemoveGround to "
-             "KEEP_GROUND");
+             "GROUND_OFF");
 }
 
 //------------------------------------------------------------------------------

@@ -7,10 +7,25 @@
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
+#include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace glue
 {
+//------------------------------------------------------------------------------
+void RequireMap(const conformal::MapImage& map)
+{
+  if (map.Grid.Width < 1 || map.Grid.Height < 1)
+  {
+    throw std::invalid_argument("ImageSize must be at least (1, 1)");
+  }
+  if (!std::isfinite(map.CentralLongitude))
+  {
+    throw std::invalid_argument("CentralLongitude must be finite");
+  }
+}
+
 //------------------------------------------------------------------------------
 void AddAreaScales(vtkImageData* image, std::vector<double> areas)
 {

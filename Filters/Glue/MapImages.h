@@ -10,6 +10,10 @@ class vtkImageData;
 
 namespace glue
 {
+/// Check the properties ImageSize and CentralLongitude of a map.
+/// @throws std::invalid_argument if the image has no pixels, or the longitude is not finite
+void RequireMap(const conformal::MapImage& map);
+
 /// Add the point array "AreaScale": the areas that pixels show, over their mean. Add the field data
 /// "AreaScaleRange": two scales, between which the pixels show 90 percent of the area of the
 /// surface.

@@ -101,19 +101,8 @@ std::vector<conformal::MappedMesh> ToMappedMeshes(
     const std::string name = "surface " + std::to_string(meshes.size()) + ": ";
     try
     {
-      conformal::MappedMesh mesh;
-      mesh.Triangles = ToTriangles(surface);
-      mesh.Positions = ToPoints(surface->GetPoints(), frame);
-      if (mesh.Triangles.rows() == 0)
-      {
-        throw std::invalid_argument("the surface has no triangles");
-      }
-      if (!mesh.Positions.allFinite())
-      {
-        throw std::invalid_argument("some points of the surface are not finite");
-      }
-      mesh.SpherePositions = ToSpherePositions(surface);
-      meshes.push_back(std::move(mesh));
+      meshes.push_back(CopyMapped(surface, frame));
+      RequireFiniteTriangles(meshes.back());
     }
     catch (const std::invalid_argument& error)
     {

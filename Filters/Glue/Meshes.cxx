@@ -461,6 +461,19 @@ conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::Coordina
 }
 
 //------------------------------------------------------------------------------
+void RequireFiniteTriangles(const conformal::Mesh& mesh)
+{
+  if (mesh.Triangles.rows() == 0)
+  {
+    throw std::invalid_argument("the surface has no triangles");
+  }
+  if (!mesh.Positions.allFinite())
+  {
+    throw std::invalid_argument("some points of the surface are not finite");
+  }
+}
+
+//------------------------------------------------------------------------------
 conformal::MappedMesh CopyOriented(
   vtkObject* self, vtkPolyData* surface, const conformal::CoordinateFrame& frame)
 {

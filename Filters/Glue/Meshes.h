@@ -111,6 +111,10 @@ conformal::Mesh ToMeshIfClosed(
 /// @throws std::invalid_argument if ToTriangles() or ToSpherePositions() throws this exception
 conformal::MappedMesh CopyMapped(vtkPolyData* surface, const conformal::CoordinateFrame& frame);
 
+/// Check a mesh that was copied from a surface.
+/// @throws std::invalid_argument if the mesh has no triangles, or a point that is not finite
+void RequireFiniteTriangles(const conformal::Mesh& mesh);
+
 /// Like CopyMapped(), but with consistently oriented triangles, on which volume and normals depend.
 /// If triangles are reversed, a warning states their number.
 conformal::MappedMesh CopyOriented(

@@ -4,6 +4,7 @@
 #include "Body/MapAreas.h"
 #include "Body/MapLabels.h"
 #include "Glue/Arrays.h"
+#include "Glue/MapImages.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
@@ -176,14 +177,11 @@ int vtkMapLabels::RequestData(
       {
         return;
       }
-      if (!std::isfinite(map.CentralLongitude))
-      {
-        throw std::invalid_argument("CentralLongitude must be finite");
-      }
-      map.Grid = { image->GetDimensions()[0], image->GetDimensions()[1] };
       conformal::Steps steps(glue::RunOf(this), { 0.05, 0.95 }); // reading, measuring
       steps.next();
       const std::vector<int> labels = ReadLabels(image, name);
+      map.Grid = { image->GetDimensions()[0], image->GetDimensions()[1] };
+      glue::RequireMap(map);
       const conformal::CoordinateFrame frame = glue::FrameOf({ surface });
       const conformal::MappedMesh body = glue::CopyMapped(surface, frame);
       map.CapsuleAspect = conformal::capsuleAspectOf(body, map.Projection, map.CapsuleAspect);

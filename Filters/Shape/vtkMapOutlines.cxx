@@ -5,6 +5,7 @@
 #include "Body/MapOutlines.h"
 #include "Glue/Arrays.h"
 #include "Glue/Checks.h"
+#include "Glue/MapImages.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
@@ -21,7 +22,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -146,18 +146,6 @@ void FillOutlineTable(vtkTable* table, const DrawnOutlines& drawn,
   glue::AddNumbers(rows, "PictureArea", pictureAreas);
 }
 
-void RequireOutlineMap(const conformal::MapImage& map)
-{
-  if (!std::isfinite(map.CentralLongitude))
-  {
-    throw std::invalid_argument("CentralLongitude must be finite");
-  }
-  if (map.Grid.Width < 1 || map.Grid.Height < 1)
-  {
-    throw std::invalid_argument("ImageSize must be at least (1, 1)");
-  }
-}
-
 void WarnOfMissing(vtkObject* self, const std::vector<conformal::SurfaceOutline>& outlines,
   const std::vector<int>& cells)
 {
@@ -243,7 +231,7 @@ int vtkMapOutlines::RequestData(
       {
         return;
       }
-      RequireOutlineMap(map);
+      glue::RequireMap(map);
       conformal::Steps steps(glue::RunOf(this), { 0.05, 0.95 }); // reading, measuring
       steps.next();
       const DrawnOutlines read = ReadOutlines(drawn, double(map.Grid.Height), isDown);

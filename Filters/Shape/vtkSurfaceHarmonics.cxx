@@ -115,18 +115,8 @@ conformal::Columns ValuesOf(
 
 conformal::MappedMesh MeshOf(vtkPolyData* surface, const conformal::CoordinateFrame& frame)
 {
-  conformal::MappedMesh mesh;
-  mesh.SpherePositions = glue::ToSpherePositions(surface);
-  mesh.Triangles = glue::ToTriangles(surface);
-  mesh.Positions = glue::ToPoints(surface->GetPoints(), frame);
-  if (mesh.Triangles.rows() == 0)
-  {
-    throw std::invalid_argument("the surface has no triangles");
-  }
-  if (!mesh.Positions.allFinite())
-  {
-    throw std::invalid_argument("some points of the surface are not finite");
-  }
+  conformal::MappedMesh mesh = glue::CopyMapped(surface, frame);
+  glue::RequireFiniteTriangles(mesh);
   return mesh;
 }
 

@@ -6,6 +6,7 @@
 #include "Body/MapAreas.h"
 #include "Glue/Arrays.h"
 #include "Glue/LayerMaps.h"
+#include "Glue/MapImages.h"
 #include "Glue/Meshes.h"
 #include "Glue/Points.h"
 #include "Glue/Run.h"
@@ -62,14 +63,7 @@ void ToFrame(LayerProperties& properties, const conformal::VolumeImage& volume,
 {
   RequireAscending(properties.Depths, "DepthRange");
   RequireAscending(properties.Summary, "SummaryRange");
-  if (properties.Map.Grid.Width < 1 || properties.Map.Grid.Height < 1)
-  {
-    throw std::invalid_argument("ImageSize must be at least (1, 1)");
-  }
-  if (!std::isfinite(properties.Map.CentralLongitude))
-  {
-    throw std::invalid_argument("CentralLongitude must be finite");
-  }
+  glue::RequireMap(properties.Map);
   constexpr double voxels = 4.0, farthest = 1e6;
   const double size = voxels * volume.voxelSize();
   const bool isWhole = IsAutomatic(properties.Summary);

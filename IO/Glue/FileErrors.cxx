@@ -2,6 +2,8 @@
 
 #include "vtkErrorCode.h"
 
+#include <exception>
+
 namespace glue
 {
 //------------------------------------------------------------------------------
@@ -43,5 +45,30 @@ unsigned long ErrorCodeOf(conformal::WriteCode code)
       break;
   }
   return vtkErrorCode::CannotOpenFileError;
+}
+
+//------------------------------------------------------------------------------
+ReadOutcome ReadFile(const char* fileName, const std::function<void(const std::string&)>& read)
+{
+  if (!fileName || !fileName[0])
+  {
+    return { vtkErrorCode::NoFileNameError, "FileName is not set" };
+  }
+  const std::string name = fileName;
+  try
+  {
+    read(name);
+    return {};
+  }
+  catch (const conformal::ParseError& error)
+  {
+    const bool isAborted = error.status().Code == conformal::ParseCode::Aborted;
+    return { ErrorCodeOf(error.status().Code),
+      isAborted ? "" : name + ": " + error.status().text() };
+  }
+  catch (const std::exception& error)
+  {
+    return { vtkErrorCode::UserError, name + ": " + error.what() };
+  }
 }
 }

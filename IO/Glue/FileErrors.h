@@ -5,8 +5,9 @@
 #include "Bytes/ParseStatus.h" // for ParseCode
 #include "Files/WriteFiles.h"  // for WriteCode
 
-#include <stdexcept> // for WriteError
-#include <string>    // for messages
+#include <functional> // for ReadFile
+#include <stdexcept>  // for WriteError
+#include <string>     // for messages
 
 namespace glue
 {
@@ -28,6 +29,19 @@ public:
 unsigned long ErrorCodeOf(conformal::ParseCode code);
 unsigned long ErrorCodeOf(conformal::WriteCode code);
 ///@}
+
+/// How a reader's request ended: a code of vtkErrorCode, and the text of the error, if any.
+struct ReadOutcome
+{
+  unsigned long Code = 0;
+  std::string Error;
+};
+
+/// Call a function that reads a file and throws exceptions of errors. If it is aborted, that is not
+/// an error.
+/// @param[in] fileName  property of the reader, can be null
+/// @param[in] read      called with a copy of the name, which observers cannot change
+ReadOutcome ReadFile(const char* fileName, const std::function<void(const std::string&)>& read);
 }
 
 #endif

@@ -7,14 +7,12 @@
 #include "Glue/Run.h"
 #include "SPHARM/SPHARMCoefficients.h"
 
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
-#include <exception>
 #include <string>
 
 vtkStandardNewMacro(vtkSPHARMCoefficientReader);
@@ -76,33 +74,14 @@ int vtkSPHARMCoefficientReader::RequestData(
 {
   vtkTable* output = vtkTable::GetData(outputVector);
   output->Initialize();
-  if (!this->FileName || !this->FileName[0])
+  const glue::ReadOutcome outcome = glue::ReadFile(
+    this->FileName, [&](const std::string& name) { ReadTable(name, output, glue::RunOf(this)); });
+  this->SetErrorCode(outcome.Code);
+  if (outcome.Error.empty())
   {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("FileName is not set");
-    return glue::FailedRequest(this);
-  }
-  const std::string name = this->FileName; // a copy: observers may change it
-  try
-  {
-    ReadTable(name, output, glue::RunOf(this));
-    this->SetErrorCode(vtkErrorCode::NoError);
     return 1;
   }
-  catch (const conformal::ParseError& error)
-  {
-    this->SetErrorCode(glue::ErrorCodeOf(error.status().Code));
-    if (error.status().Code == conformal::ParseCode::Aborted)
-    {
-      return 1;
-    }
-    vtkErrorMacro(<< name << ": " << error.status().text());
-  }
-  catch (const std::exception& error)
-  {
-    this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< name << ": " << error.what());
-  }
+  vtkErrorMacro(<< outcome.Error);
   return glue::FailedRequest(this);
 }
 

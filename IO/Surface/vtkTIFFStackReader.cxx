@@ -8,7 +8,6 @@
 #include "TIFF/TIFFStackParser.h"
 
 #include "vtkDataObject.h"
-#include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -18,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <string>
 #include <vector>
@@ -110,35 +108,15 @@ int vtkTIFFStackReader::CanReadFile(const char* name)
 }
 
 //------------------------------------------------------------------------------
-int vtkTIFFStackReader::Report(const std::function<void()>& read)
+int vtkTIFFStackReader::Report(const std::function<void(const std::string&)>& read)
 {
-  if (!this->FileName || !this->FileName[0])
+  const glue::ReadOutcome outcome = glue::ReadFile(this->FileName, read);
+  this->SetErrorCode(outcome.Code);
+  if (outcome.Error.empty())
   {
-    this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    vtkErrorMacro("FileName is not set");
-    return glue::FailedRequest(this);
-  }
-  const std::string name = this->FileName; // a copy: observers may change it
-  try
-  {
-    this->SetErrorCode(vtkErrorCode::NoError);
-    read();
     return 1;
   }
-  catch (const conformal::ParseError& error)
-  {
-    this->SetErrorCode(glue::ErrorCodeOf(error.status().Code));
-    if (error.status().Code == conformal::ParseCode::Aborted)
-    {
-      return 1;
-    }
-    vtkErrorMacro(<< name << ": " << error.status().text());
-  }
-  catch (const std::exception& error)
-  {
-    this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< name << ": " << error.what());
-  }
+  vtkErrorMacro(<< outcome.Error);
   return glue::FailedRequest(this);
 }
 
@@ -147,12 +125,11 @@ int vtkTIFFStackReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   return this->Report(
-    [&]()
+    [&](const std::string& name)
     {
       conformal::TIFFStackOptions options;
       options.HeaderOnly = true;
-      SetStackInformation(
-        outputVector->GetInformationObject(0), ReadStack(this->FileName, options).Info);
+      SetStackInformation(outputVector->GetInformationObject(0), ReadStack(name, options).Info);
     });
 }
 
@@ -163,12 +140,12 @@ int vtkTIFFStackReader::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
   return this->Report(
-    [&]()
+    [&](const std::string& name)
     {
       conformal::TIFFStackOptions options;
       options.Frame = FrameOf(outputVector->GetInformationObject(0));
       options.FirstRowUp = this->YAxis == UP;
-      conformal::TIFFStack stack = ReadStack(this->FileName, options, glue::RunOf(this));
+      conformal::TIFFStack stack = ReadStack(name, options, glue::RunOf(this));
       const vtkNew<vtkImageData> result;
       const vtkIdType replaced = glue::SetStack(result, stack);
       if (replaced > 0)

@@ -35,6 +35,7 @@
 #include "vtkImageAlgorithm.h"
 
 #include <functional> // for Report
+#include <string>     // for Report
 
 class VTKIOSURFACE_EXPORT vtkTIFFStackReader : public vtkImageAlgorithm
 {
@@ -100,7 +101,7 @@ private:
   vtkTIFFStackReader(const vtkTIFFStackReader&) = delete;
   void operator=(const vtkTIFFStackReader&) = delete;
 
-  int Report(const std::function<void()>& read);
+  int Report(const std::function<void(const std::string&)>& read);
 
   char* FileName = nullptr;
   int YAxis = DOWN;

@@ -128,10 +128,10 @@ def print_mean(surfaces, points, means_only):
     seconds = run(remesh)
     for i in range(0 if means_only else remesh.GetOutput().GetNumberOfBlocks()):
         print_row(f"block {i}", remesh.GetOutput().GetBlock(i))
-    print_row("linear mean", remesh.GetMeanShape(), seconds)
+    print_row("linear mean", remesh.GetMeanSurface(), seconds)
     remesh.SetMeanTypeToRigid()
     seconds = run(remesh)
-    print_row("rigid mean", remesh.GetMeanShape(), seconds)
+    print_row("rigid mean", remesh.GetMeanSurface(), seconds)
 
 
 def main():

@@ -117,7 +117,7 @@ TEST_F(ConsistentRemesh, BlocksLieOnTheirSurfaces)
 TEST_F(ConsistentRemesh, TwoHiddenModesExplainTheShapes)
 {
   this->Run();
-  vtkPolyData* mean = this->Filter->GetMeanShape();
+  vtkPolyData* mean = this->Filter->GetMeanSurface();
   contract::ExpectSpherePosition(mean);
   contract::ExpectArray(mean->GetFieldData(), "ExplainedVariance", VTK_DOUBLE, 1, 9);
   vtkDataArray* explained = mean->GetFieldData()->GetArray("ExplainedVariance");
@@ -192,11 +192,11 @@ TEST_F(ConsistentRemesh, FewerModesAndOtherAlignments)
 {
   this->Filter->SetNumberOfModes(2);
   this->Run();
-  EXPECT_NE(this->Filter->GetMeanShape()->GetPointData()->GetArray("ShapeMode2"), nullptr);
-  EXPECT_EQ(this->Filter->GetMeanShape()->GetPointData()->GetArray("ShapeMode3"), nullptr);
+  EXPECT_NE(this->Filter->GetMeanSurface()->GetPointData()->GetArray("ShapeMode2"), nullptr);
+  EXPECT_EQ(this->Filter->GetMeanSurface()->GetPointData()->GetArray("ShapeMode3"), nullptr);
   this->Filter->SetNumberOfModes(0);
   this->Run();
-  EXPECT_EQ(this->Filter->GetMeanShape()->GetFieldData()->GetArray("ExplainedVariance"), nullptr);
+  EXPECT_EQ(this->Filter->GetMeanSurface()->GetFieldData()->GetArray("ExplainedVariance"), nullptr);
   EXPECT_EQ(BlockOf(this->Filter, 1)->GetFieldData()->GetArray("ShapeScores"), nullptr);
   // Unaligned, the mean is that of the points.
   this->Filter->SetAlignmentToNone();
@@ -206,7 +206,7 @@ TEST_F(ConsistentRemesh, FewerModesAndOtherAlignments)
   {
     sum += BlockOf(this->Filter, i)->GetPoint(33)[0];
   }
-  EXPECT_NEAR(this->Filter->GetMeanShape()->GetPoint(33)[0], 0.1 * sum, 1e-12);
+  EXPECT_NEAR(this->Filter->GetMeanSurface()->GetPoint(33)[0], 0.1 * sum, 1e-12);
 }
 
 TEST_F(ConsistentRemesh, ConnectionsAreSurfacesToo)
@@ -217,13 +217,13 @@ TEST_F(ConsistentRemesh, ConnectionsAreSurfacesToo)
   filter->AddInputDataObject(this->Surfaces[0]);
   filter->Update();
   ASSERT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 1u);
-  EXPECT_EQ(filter->GetMeanShape()->GetNumberOfPoints(), 492);
-  EXPECT_EQ(filter->GetMeanShape()->GetFieldData()->GetArray("ExplainedVariance"), nullptr);
+  EXPECT_EQ(filter->GetMeanSurface()->GetNumberOfPoints(), 492);
+  EXPECT_EQ(filter->GetMeanSurface()->GetFieldData()->GetArray("ExplainedVariance"), nullptr);
   filter->AddInputDataObject(this->Surfaces[1]);
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 2u);
   contract::ExpectArray(
-    filter->GetMeanShape()->GetFieldData(), "ExplainedVariance", VTK_DOUBLE, 1, 1);
+    filter->GetMeanSurface()->GetFieldData(), "ExplainedVariance", VTK_DOUBLE, 1, 1);
 }
 
 TEST_F(ConsistentRemesh, ThreadsChangeNoBit)
@@ -286,7 +286,7 @@ TEST_F(ConsistentRemesh, ArraysThatDoNotFitAreLeftOutOfTheMean)
   this->Surfaces[8]->GetPointData()->AddArray(other);
   this->Run();
   this->Seen.ExpectWarning("the point arrays \"Number\" were left out");
-  EXPECT_EQ(this->Filter->GetMeanShape()->GetPointData()->GetArray("Number"), nullptr);
+  EXPECT_EQ(this->Filter->GetMeanSurface()->GetPointData()->GetArray("Number"), nullptr);
   EXPECT_EQ(
     BlockOf(this->Filter, 8)->GetPointData()->GetArray("Number")->GetNumberOfComponents(), 3);
 }

@@ -735,7 +735,7 @@ class TestFunctions(unittest.TestCase):
         for part in ('"Off": never. "On": the largest plane', '"AsFound": an adaptive mesh',
                      '"Automatic" (default): by the'):
             self.assertIn(part, text)
-        self.assertNotRegex(text, "KEEP_GROUND|AS_FOUND|AUTOMATIC_METHOD|WINDING_NUMBERS")
+        self.assertNotRegex(text, "GROUND_OFF|AS_FOUND|AUTOMATIC_METHOD|WINDING_NUMBERS")
         self.assertIn('"LambertAzimuthal": preserves areas', " ".join(cs.Surface.layers.__doc__.split()))
 
 

@@ -175,16 +175,16 @@ class Reader:
             if method.startswith("Set" + name + "To") and word:
                 getattr(self.object, method)()
                 value = getattr(self.object, "Get" + name)()
-                found.append(Value(word, label_of(word), value, self.constants_of(name, word, value)))
+                found.append(Value(word, label_of(word), value, self.constants_of(word, value)))
         getattr(self.object, "Set" + name)(before)
         return found
 
-    def constants_of(self, name, word, value):
-        """Return the constants of a value: its word in capitals, those that begin with it, or end as the property."""
-        start, end = (words_of(text).upper().replace(" ", "_") for text in (word, name))
-        end = "_" + end.split("_")[-1]  # as KEEP_GROUND of RemoveGround
-        return [start, word.upper(), *(constant for constant, number in self.constants.items() if int(number) == value
-                                       and (constant.startswith(start + "_") or constant.endswith(end)))]
+    def constants_of(self, word, value):
+        """Return the constants of a value: its word in capitals, and those that begin or end with it."""
+        capitals = words_of(word).upper().replace(" ", "_")
+        return [capitals, word.upper(), *(
+            constant for constant, number in self.constants.items()
+            if int(number) == value and (constant.startswith(capitals + "_") or constant.endswith("_" + capitals)))]
 
     def limit(self, name, which):
         """Return the bound to which a property is clamped; None if there is none."""

@@ -190,19 +190,19 @@ def properties_of(class_name: str, *, without: typing.Sequence[str] = ()) -> typ
 
 
 def values_of_constants(class_: typing.Any, keywords: typing.Mapping[str, Keyword]) -> typing.Dict[str, str]:
-    """Return the values, such as "Off", of the constants of a class, such as KEEP_GROUND of RemoveGround.
+    """Return the values, such as "Off", of the constants of a class, such as GROUND_OFF of RemoveGround.
 
-    A constant is the value in capitals, begins with it, or ends as the property. Wrapping/Describe does the same.
+    A constant is the value in capitals, or begins or ends with it. Wrapping/Describe does the same.
     """
     constants = {name: member for base in class_.__mro__ if base.__module__.startswith("conformalsom.")
                  for name, member in vars(base).items() if isinstance(member, int) and name.isupper()}
     found = {}
     for keyword in keywords.values():
-        end = "_" + snake_case(keyword.name).upper().split("_")[-1]
         for value, number in keyword.values.items():
-            start = snake_case(value).upper()
-            names = [start, value.upper(), *(name for name, other in constants.items() if other == number
-                                             and (name.startswith(start + "_") or name.endswith(end)))]
+            capitals = snake_case(value).upper()
+            names = [capitals, value.upper(), *(
+                name for name, other in constants.items()
+                if other == number and (name.startswith(capitals + "_") or name.endswith("_" + capitals)))]
             found.update(dict.fromkeys(names, value))
     return found
 

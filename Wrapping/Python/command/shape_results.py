@@ -21,7 +21,7 @@ def make(step, options, _, steps):
     """Make all results from the registered surfaces; returns an entry of a report, and what to print."""
     remesh = shape_steps.remeshed(step.sources, options, steps, "Find the modes")
     surfaces = [remesh.GetOutput().GetBlock(i) for i in range(len(step.sources))]
-    mean = remesh.GetMeanShape()
+    mean = remesh.GetMeanSurface()
     scores = shape_steps.scores_of(remesh)
     shares = shape_steps.shares_of(remesh)
     kept = min(options.modes, len(shares))

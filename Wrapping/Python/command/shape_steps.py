@@ -168,7 +168,7 @@ def remeshed(sources, options, steps, label):
 def mean(step, options, steps):
     """The mean of the sources, with the number of the source that is closest to it as field data."""
     remesh = remeshed(step.sources, options, steps, "Find the mean")
-    shape = remesh.GetMeanShape()
+    shape = remesh.GetMeanSurface()
     closest = vtkPolyData()
     closest.CopyStructure(shape)
     closest.GetPointData().AddArray(shape.GetPointData().GetArray(SPHERE))
@@ -196,7 +196,7 @@ def closest_of(path):
 
 def shares_of(remesh):
     """Fractions of the variance that the modes explain; none if all shapes are equal."""
-    array = remesh.GetMeanShape().GetFieldData().GetArray("ExplainedVariance")
+    array = remesh.GetMeanSurface().GetFieldData().GetArray("ExplainedVariance")
     return vtk_to_numpy(array) if array else np.empty(0)
 
 
