@@ -118,11 +118,11 @@ class TestStudy(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory(prefix="shapes of ")
         cls.folder = cls.temporary.name
-        cls.names = write_family(cls.folder, 12)
+        cls.names = write_family(cls.folder, 8)
         cls.groups = ["long" if first > 0 else "short & <b>" for first, _ in parameters()]
         with open(os.path.join(cls.folder, "groups.csv"), "w", encoding="utf-8") as file:
             file.write("scan,group\n" + "".join(f"{name},{group}\n" for name, group in zip(cls.names, cls.groups)))
-        cls.run_ = command(cls.folder, "shapes", *cls.names, "-o", "study/", "--points", "3000", "--modes", "4",
+        cls.run_ = command(cls.folder, "shapes", *cls.names, "-o", "study/", "--points", "1500", "--modes", "4",
                            "--groups", "groups.csv", "--jobs", "2")
         cls.study = os.path.join(cls.folder, "study")
 
@@ -140,7 +140,7 @@ class TestStudy(unittest.TestCase):
         modes = [os.path.join("modes", f"mode{k}_{sigmas:+}.ply") for k in range(1, 5) for sigmas in (-2, -1, 1, 2)]
         self.assertLessEqual({*surfaces, *modes, "mean.vtp", "scores.csv", "variance.csv", "index.html"}, set(files))
         mean = read(vtkXMLPolyDataReader(), self.study, "mean.vtp")
-        self.assertLess(abs(mean.GetNumberOfPoints() - 3000), 60)
+        self.assertLess(abs(mean.GetNumberOfPoints() - 1500), 30)
         for name in (*surfaces, *modes):
             surface = read(vtkConformalPLYReader(), self.study, name)
             np.testing.assert_array_equal(triangles_of(surface), triangles_of(mean))
@@ -149,7 +149,7 @@ class TestStudy(unittest.TestCase):
         np.testing.assert_allclose(points_of(moved), points_of(mean) - 2 * mode, atol=1e-6)
 
     def test_two_known_modes(self):
-        known = shares_of(ellipsoids(12), triangles_of(sphere(12)))
+        known = shares_of(ellipsoids(8), triangles_of(sphere(8)))
         np.testing.assert_allclose(known[:3], (0.94, 0.06, 0.0), atol=0.001)  # the family is as it is to be
         found = table(self.study, "variance.csv")
         self.assertEqual([row["mode"] for row in found], [str(k + 1) for k in range(len(found))])
@@ -182,7 +182,7 @@ class TestStudy(unittest.TestCase):
         self.assertEqual([row["group"] for row in table(self.study, "scores.csv")], self.groups)
 
     def test_registration_is_that_of_the_template(self):
-        names, study = self.names[:4], os.path.join(self.folder, "four")
+        names, study = self.names[:3], os.path.join(self.folder, "three")
         run = command(self.folder, "shapes", *names, "-o", study, *SMALL, "--rounds", "2", "--jobs", "2")
         self.assertEqual(run.returncode, 0, run.stderr)
         template, blocks = vtkSphericalTemplate(), vtkMultiBlockDataSet()

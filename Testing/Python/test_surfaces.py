@@ -42,19 +42,22 @@ class TestSurfaces(unittest.TestCase):
                     self.assertLess(rows["CSS Curvature"][2], 2.0)
 
     def test_no_other_surface_is_closer_to_points_held_out(self):
-        for name, mesh_types in (("igea.ply", compare_lattices.LATTICES),
-                                 ("stanford-bunny-closed.ply", ("Adaptive",))):  # a geodesic one has webs
+        """Of half of the points, and of few; all combinations are rows of a table in Documentation."""
+        for name, kind, mesh_types in (
+                ("igea.ply", "half", compare_lattices.LATTICES),
+                ("stanford-bunny-closed.ply", "rest", ("Adaptive",))):  # a geodesic one has webs
             path = os.path.join(SCANS, name)
             if not os.path.exists(path):
                 self.skipTest(f"{name} is not in CONFORMALSOM_SCAN_DIR")
             reader = scan_files.scan_reader(path)
             reader.Update()
-            for split, (cloud, judges) in compare_surfaces.held_out(reader.GetOutput()).items():
-                for mesh_type in mesh_types:
-                    with self.subTest(f"{name}, {split}, {mesh_type}"):
-                        rows = compare_surfaces.compared(cloud, mesh_type=mesh_type, judges=judges)
-                        best = min(rows[rival][1] for rival in compare_surfaces.RIVALS)
-                        self.assertLess(rows["CSS Curvature"][1], 1.05 * best)
+            splits = compare_surfaces.held_out(reader.GetOutput())
+            cloud, judges = next(split for title, split in splits.items() if title.endswith(kind))
+            for mesh_type in mesh_types:
+                with self.subTest(f"{name}, {kind}, {mesh_type}"):
+                    rows = compare_surfaces.compared(cloud, mesh_type=mesh_type, judges=judges)
+                    best = min(rows[rival][1] for rival in compare_surfaces.RIVALS)
+                    self.assertLess(rows["CSS Curvature"][1], 1.05 * best)
 
     def test_the_adaptive_lattice_fits_a_figure_closer(self):
         rows, _ = compare_lattices.compared(figure_surface(), 16, 20000)
