@@ -72,6 +72,7 @@ class TestPackage(unittest.TestCase):
                                      ("vtkCurvedSeamlessMap", "SetSeamMode", "SeamMode of the vtkCurvedSeamless"),
                                      ("vtkGenusZeroHull", "SetIndicator", "Method"),
                                      ("vtkConsistentRemesh", "SetLattice", "MeshType"),
+                                     ("vtkConsistentRemesh", "GetMeanShape", "MeanSurface"),
                                      ("vtkSphericalMorph", "SetLatticeToGeodesic", "MeshType"),
                                      ("vtkSurfaceHarmonics", "GetLattice", "MeshType")):
             with self.subTest(old), self.assertRaisesRegex(AttributeError, f"is now {new}"):
