@@ -3,11 +3,11 @@
 The guide Correspondence.md names the sources of the test: Anderson2001, NicholsHolmes2002 and PhipsonSmyth2010 in
 Documentation/references.bib.
 """
-import csv
-import os
 import typing
 
 import numpy as np
+
+from .scan_tables import rows_of
 
 BATCH = 16  # permutations at once
 ROUNDING = 1e-9  # relative difference of statistics that counts as none
@@ -25,23 +25,8 @@ def read_groups(path, names):
 
     A scan may be called by its name or its file.
     """
-    with open(path, encoding="utf-8-sig", newline="") as file:
-        try:
-            rows = [row for row in csv.reader(file, strict=True) if any(cell.strip() for cell in row)]
-        except (csv.Error, UnicodeDecodeError) as error:
-            raise ValueError(f"{path}: not a CSV file in UTF-8: {error}") from None
-    head = [cell.strip().lower() for cell in rows[0]] if rows else []
-    if head.count("scan") != 1 or head.count("group") != 1:
-        raise ValueError(f"{path}: the first line must name the columns scan and group")
     groups = {}
-    for number, row in enumerate(rows[1:], 2):
-        if len(row) != len(head):
-            raise ValueError(f"{path}: row {number} has {len(row)} cells, but the first row has {len(head)}")
-        cell, group = row[head.index("scan")].strip(), row[head.index("group")].strip()
-        base = os.path.basename(cell)
-        name = base if base in names else os.path.splitext(base)[0]
-        if name not in names:
-            raise ValueError(f"{path}: {cell} is none of the scans")
+    for _, name, (cell, group) in rows_of(path, ("scan", "group"), names):
         if name in groups:
             raise ValueError(f"{path}: {cell} has two rows")
         if not group:

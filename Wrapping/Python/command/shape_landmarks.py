@@ -1,13 +1,12 @@
 """Landmarks of shapes: points with equal names on all scans, at which the registered maps agree."""
-import csv
 import math
-import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPointLocator
 
 from . import scan_files
+from .scan_tables import rows_of
 
 COLUMNS = ("scan", "name", "x", "y", "z")
 POSITIONS = "LandmarkPositions"  # field data of a mean: #landmarks by 3 coordinates
@@ -20,23 +19,8 @@ def read_landmarks(path, names):
     The file is a table with the columns scan, name, x, y and z. A scan may be called by its name or its file. Raises
     ValueError for an unsuitable table.
     """
-    with open(path, encoding="utf-8-sig", newline="") as file:
-        try:
-            rows = [row for row in csv.reader(file, strict=True) if any(cell.strip() for cell in row)]
-        except (csv.Error, UnicodeDecodeError) as error:
-            raise ValueError(f"{path}: not a CSV file in UTF-8: {error}") from None
-    head = [cell.strip().lower() for cell in rows[0]] if rows else []
-    if any(head.count(column) != 1 for column in COLUMNS):
-        raise ValueError(f"{path}: the first line must name the columns {', '.join(COLUMNS)}")
     found = {name: {} for name in names}
-    for number, row in enumerate(rows[1:], 2):
-        if len(row) != len(head):
-            raise ValueError(f"{path}: row {number} has {len(row)} cells, but the first row has {len(head)}")
-        scan, landmark, *texts = (row[head.index(column)].strip() for column in COLUMNS)
-        base = os.path.basename(scan)
-        name = base if base in names else os.path.splitext(base)[0]
-        if name not in names:
-            raise ValueError(f"{path}: {scan} is none of the scans")
+    for number, name, (scan, landmark, *texts) in rows_of(path, COLUMNS, names):
         if not landmark:
             raise ValueError(f"{path}: row {number} has no name of a landmark")
         if landmark in found[name]:

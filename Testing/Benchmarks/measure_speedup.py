@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+"""Measure how much of learning can use threads, and compute the time on more threads than this machine has.
+
+    PYTHONPATH=build/dev/python:Examples/Python /usr/bin/python3 Testing/Benchmarks/measure_speedup.py [--scans FOLDER]
+      [--points 60000,1000000] [--neurons 12962,100000] [--runs 3] [--modeled 8,64]
+
+Points are random positions on the triangles of an object, without noise. Each run is a process of its own, with 1 or 2
+threads in turn, and times are the shortest of all runs. On a machine with other programs, the figures mean nothing.
+
+    1, 2 threads    wall-clock seconds of vtkConformalSOM, and of the steps behind it
+    ratio           time with 2 threads over time with 1 thread
+    serial          percent of the time of 1 thread that cannot use threads: 2 ratio - 1, by Amdahl's law
+    8, 64 threads   computed by Amdahl's law, not measured: serial + (1 - serial) / threads, times the time of 1 thread
+
+Points of the meshes must have the same bits for both numbers of threads; otherwise the program ends with status 1.
+"""
+import argparse
+import hashlib
+import os
+import time
+
+import conformalsom
+
+import known_objects
+from helpers.clouds import cloud_of
+from separate_process import measured, print_header, print_row
+
+FILTERS = {"vtkConformalSOM": "learning", "vtkCurvedSeamlessSurface": "smooth surface"}
+
+
+def seconds_of(points, neurons):
+    """Seconds of each filter, and a digest of all points."""
+    network = conformalsom.vtkConformalSOM()
+    network.SetInputData(cloud_of(points))
+    network.SetNumberOfNeurons(neurons)
+    surface = conformalsom.vtkCurvedSeamlessSurface()
+    surface.SetInputConnection(network.GetOutputPort())
+    seconds, digest = [], hashlib.sha256()
+    for stage in (network, surface):
+        begin = time.perf_counter()
+        stage.Update()
+        seconds.append(time.perf_counter() - begin)
+        digest.update(known_objects.points_of(stage.GetOutput()).tobytes())
+    return seconds, digest.hexdigest()
+
+
+def shortest(points, neurons, runs):
+    """Shortest seconds of each filter by number of threads. Raises SystemExit if points differ."""
+    best, digests = {}, set()
+    for _ in range(runs):
+        for threads in (1, 2):
+            os.environ["VTK_SMP_MAX_THREADS"] = str(threads)
+            (seconds, digest), _, _ = measured("conformalsom", seconds_of, points, neurons)
+            best[threads] = [min(pair) for pair in zip(seconds, best.get(threads, seconds))]
+            digests.add(digest)
+    if len(digests) > 1:
+        raise SystemExit("the meshes of 1 and 2 threads have different points")
+    return best
+
+
+def numbers(text):
+    return [int(number) for number in text.split(",")]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--object", default="armadillo", help="name of known_objects.py, default %(default)s")
+    parser.add_argument("--scans", default="../shared/data", help="folder of the objects' files")
+    parser.add_argument("--points", type=numbers, default=[60000, 1000000], help="default 60000,1000000")
+    parser.add_argument("--neurons", type=numbers, default=[12962, 100000],
+                        help="one for each number of points, default 12962,100000")
+    parser.add_argument("--runs", type=int, default=3, help="default %(default)s")
+    parser.add_argument("--modeled", type=numbers, default=[8, 64], help="numbers of threads, default 8,64")
+    options = parser.parse_args()
+    print_header("points", "neurons", "step", "1 thread, s", "2 threads, s", "ratio", "serial %",
+                 *(f"{threads} threads, s, computed" for threads in options.modeled))
+    for count, neurons in zip(options.points, options.neurons):
+        points = known_objects.Scan(known_objects.known_object(options.object, options.scans, count).mesh(), count).points
+        best = shortest(points, neurons, options.runs)
+        for step, one, two in zip(FILTERS.values(), best[1], best[2]):
+            serial = max(0.0, 2.0 * two / one - 1.0)
+            print_row(f"{count:,}", f"{neurons:,}", step, f"{one:.2f}", f"{two:.2f}", f"{two / one:.2f}", f"{100 * serial:.0f}",
+                      *(f"{one * (serial + (1.0 - serial) / threads):.2f}" for threads in options.modeled))
+
+
+if __name__ == "__main__":
+    main()
