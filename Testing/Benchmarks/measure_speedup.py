@@ -7,10 +7,10 @@
 Points are random positions on the triangles of an object, without noise. Each run is a process of its own, with 1 or 2
 threads in turn, and times are the shortest of all runs. On a machine with other programs, the figures mean nothing.
 
-    1, 2 threads    wall-clock seconds of vtkConformalSOM, and of the steps behind it
-    ratio           time with 2 threads over time with 1 thread
+    seconds         wall-clock time of learning (vtkConformalSOM) and of the smooth surface (vtkCurvedSeamlessSurface)
+    time ratio      time with 2 threads over time with 1 thread
     serial          percent of the time of 1 thread that cannot use threads: 2 ratio - 1, by Amdahl's law
-    8, 64 threads   computed by Amdahl's law, not measured: serial + (1 - serial) / threads, times the time of 1 thread
+    computed        by Amdahl's law, not measured: serial + (1 - serial) / threads, times the time of 1 thread
 
 Points of the meshes must have the same bits for both numbers of threads; otherwise the program ends with status 1.
 """
@@ -72,14 +72,16 @@ def main():
     parser.add_argument("--runs", type=int, default=3, help="default %(default)s")
     parser.add_argument("--modeled", type=numbers, default=[8, 64], help="numbers of threads, default 8,64")
     options = parser.parse_args()
-    print_header("points", "neurons", "step", "1 thread, s", "2 threads, s", "ratio", "serial %",
-                 *(f"{threads} threads, s, computed" for threads in options.modeled))
+    print_header("points", "neurons", "step", "seconds, 1 thread", "seconds, 2 threads", "time ratio",
+                 "serial % of time",
+                 *(f"seconds, {threads} threads, computed" for threads in options.modeled))
     for count, neurons in zip(options.points, options.neurons):
-        points = known_objects.Scan(known_objects.known_object(options.object, options.scans, count).mesh(), count).points
-        best = shortest(points, neurons, options.runs)
+        mesh = known_objects.known_object(options.object, options.scans, count).mesh()
+        best = shortest(known_objects.Scan(mesh, count).points, neurons, options.runs)
         for step, one, two in zip(FILTERS.values(), best[1], best[2]):
             serial = max(0.0, 2.0 * two / one - 1.0)
-            print_row(f"{count:,}", f"{neurons:,}", step, f"{one:.2f}", f"{two:.2f}", f"{two / one:.2f}", f"{100 * serial:.0f}",
+            times = one, two, two / one
+            print_row(f"{count:,}", f"{neurons:,}", step, *(f"{value:.2f}" for value in times), f"{100 * serial:.0f}",
                       *(f"{one * (serial + (1.0 - serial) / threads):.2f}" for threads in options.modeled))
 
 
