@@ -11,7 +11,7 @@
 #   --folder DIR    for the systems, 10 GB each suite, and their logs; default build/package-systems
 #   --mirror URL    of Debian; default: that of this machine
 set -euo pipefail
-source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../Systems/systems.sh"
 
 folder=$source_dir/build/package-systems packages='' mirror=''
 while [[ ${1:-} == --* ]]; do
@@ -22,37 +22,15 @@ while [[ ${1:-} == --* ]]; do
     *) echo "No option $1" >&2; exit 2 ;;
   esac
 done
-if [ "$#" -eq 0 ]; then
-  sed -n '2,/^set/s/^# \?//p' "${BASH_SOURCE[0]}" >&2
-  exit 2
-fi
-[ "$(id -u)" -eq 0 ] || { echo "Only root can make systems" >&2; exit 2; }
-bash "$source_dir/CMake/install-packages.sh" debootstrap lintian
-if [ -z "$mirror" ]; then
-  mirror=$(apt-get indextargets --format '$(LABEL) $(REPO_URI)' | sed -n 's/^Debian //p' | head -n 1)
-fi
-: "${mirror:?This machine knows no mirror of Debian; name one by --mirror}"
-
-# within ROOT USER COMMAND: all mounts end with the command
-within()
-{
-  root=$1 user=$2 command=$3 unshare --mount bash -c '
-    set -e
-    for system in proc sys dev; do mount --rbind "/$system" "$root/$system"; done
-    exec chroot "$root" su - "$user" --command "export DEBIAN_FRONTEND=noninteractive; $command"'
-}
+[ "$#" -gt 0 ] || usage "${BASH_SOURCE[0]}"
+require_debootstrap lintian
 
 # fresh SUITE ROOT: a copy of a minimal system, made once a run
 fresh()
 {
   local base=$folder/$1.base
   if [ ! -e "$base/complete" ]; then
-    rm -rf --one-file-system "$base"
-    debootstrap --variant=minbase --include=ca-certificates "$1" "$base" "$mirror" sid
-    cp /etc/resolv.conf /etc/hosts "$base/etc"
-    apt-config dump Acquire >"$base/etc/apt/apt.conf.d/01host"
-    chroot "$base" useradd --create-home --shell /bin/bash tester
-    touch "$base/complete"
+    make_system "$1" "$base"
   fi
   rm -rf --one-file-system "$2"
   cp --archive --reflink=auto "$base" "$2"

@@ -12,7 +12,7 @@
 #   --keep         go on in systems that are there, with the packages they have
 #   --mirror URL   of Debian; default: that of this machine
 set -euo pipefail
-source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/systems.sh"
 
 folder=$source_dir/build/systems cache='' keep='' mirror=''
 while [[ ${1:-} == --* ]]; do
@@ -24,58 +24,37 @@ while [[ ${1:-} == --* ]]; do
     *) echo "No option $1" >&2; exit 2 ;;
   esac
 done
-if [ "$#" -eq 0 ]; then
-  sed -n '2,/^set/s/^# \?//p' "${BASH_SOURCE[0]}" >&2
-  exit 2
-fi
-[ "$(id -u)" -eq 0 ] || { echo "Only root can make systems" >&2; exit 2; }
-bash "$source_dir/CMake/install-packages.sh" debootstrap
-if [ -z "$mirror" ]; then
-  mirror=$(apt-get indextargets --format '$(LABEL) $(REPO_URI)' | sed -n 's/^Debian //p' | head -n 1)
-fi
-: "${mirror:?This machine knows no mirror of Debian; name one by --mirror}"
+[ "$#" -gt 0 ] || usage "${BASH_SOURCE[0]}"
+require_debootstrap
 
 home=home/tester
 clone=$home/ConformalSOM
 
-# make_system SUITE ROOT: with sudo, a user, and this machine's way to the network
-make_system()
+# in_system ROOT USER COMMAND: with the cache, if there is one
+in_system()
 {
-  # All suites that debootstrap may not know yet are made as sid is.
-  debootstrap --variant=minbase --include=ca-certificates,sudo "$1" "$2" "$mirror" sid
-  cp /etc/resolv.conf /etc/hosts "$2/etc"
-  apt-config dump Acquire >"$2/etc/apt/apt.conf.d/01host"
-  chroot "$2" useradd --create-home --shell /bin/bash tester
-  echo 'tester ALL=(ALL) NOPASSWD: ALL' >"$2/etc/sudoers.d/tester"
-  touch "$2/complete"
-}
-
-# within ROOT USER COMMAND: all mounts end with the command
-within()
-{
-  root=$1 user=$2 command=$3 cache=${cache:+$cache/$(basename "$1")} unshare --mount bash -c '
-    set -e
-    for system in proc sys dev; do mount --rbind "/$system" "$root/$system"; done
-    if [ -n "$cache" ]; then
-      mount --bind "$cache/archives" "$root/var/cache/apt/archives"
-      mount --bind "$cache/ccache" "$root/var/cache/ccache"
-      command="export CCACHE_DIR=/var/cache/ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-        export CCACHE_SLOPPINESS=pch_defines,time_macros; $command"
-    fi
-    exec chroot "$root" su - "$user" --command "$command"'
+  if [ -z "$cache" ]; then
+    within "$@"
+    return
+  fi
+  local kept
+  kept=$cache/$(basename "$1")
+  within "$1" "$2" "export CCACHE_DIR=/var/cache/ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+    export CCACHE_SLOPPINESS=pch_defines,time_macros; $3" \
+    "$kept/archives" /var/cache/apt/archives "$kept/ccache" /var/cache/ccache
 }
 
 # prepare SUITE ROOT
 prepare()
 {
   if [ -z "$keep" ] || [ ! -e "$2/complete" ]; then
-    rm -rf --one-file-system "$2"
-    make_system "$1" "$2"
+    make_system "$1" "$2" sudo
   fi
+  echo 'tester ALL=(ALL) NOPASSWD: ALL' >"$2/etc/sudoers.d/tester"
   if [ -n "$cache" ]; then
     mkdir -p "$cache/$1/archives/partial" "$cache/$1/ccache" "$2/var/cache/ccache"
     chmod a+rwx "$cache/$1/ccache"
-    within "$2" root 'apt-get update && apt-get install --yes --no-install-recommends ccache'
+    in_system "$2" root 'apt-get update && apt-get install --yes --no-install-recommends ccache'
   fi
   rm -rf "${2:?}/$clone"
   git clone --no-hardlinks "$source_dir" "$2/$clone"
@@ -113,11 +92,11 @@ for suite in "$@"; do
   prepare "$suite" "$root" >"$said" 2>&1
   said=''
   quickstart=ran figures=equal
-  within "$root" tester 'cd ConformalSOM && bash Examples/quickstart.sh' \
+  in_system "$root" tester 'cd ConformalSOM && bash Examples/quickstart.sh' \
     >"$root.quickstart.log" 2>&1 </dev/null || { quickstart=failed; status=1; }
   grep --extended-regexp '^(learned|smooth) ' "$root.quickstart.log" |
     cmp --quiet - "$source_dir/Testing/Systems/figures.txt" || { figures=differ; status=1; }
-  within "$root" tester 'cd ConformalSOM && bash Testing/run.sh' >"$root.tests.log" 2>&1 </dev/null ||
+  in_system "$root" tester 'cd ConformalSOM && bash Testing/run.sh' >"$root.tests.log" 2>&1 </dev/null ||
     status=1
   printf "$row" "$suite" "$(version "$root" libvtk9-dev)" "$(version "$root" paraview)" \
     "$(version "$root" python3)" "$quickstart" "$figures" "$(tests "$root/$clone/build/dev/test.log")" \

@@ -10,7 +10,7 @@
 #   --folder DIR   for the systems, 2 GB each, kept as they are made, and their logs; default build/wheel/systems
 #   --mirror URL   of Debian; default: that of this machine
 set -euo pipefail
-source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../Systems/systems.sh"
 
 folder=$source_dir/build/wheel/systems wheels=$source_dir/build/wheel/dist mirror=''
 while [[ ${1:-} == --* ]]; do
@@ -21,25 +21,8 @@ while [[ ${1:-} == --* ]]; do
     *) echo "No option $1" >&2; exit 2 ;;
   esac
 done
-if [ "$#" -eq 0 ]; then
-  sed -n '2,/^set/s/^# \?//p' "${BASH_SOURCE[0]}" >&2
-  exit 2
-fi
-[ "$(id -u)" -eq 0 ] || { echo "Only root can make systems" >&2; exit 2; }
-bash "$source_dir/CMake/install-packages.sh" debootstrap
-if [ -z "$mirror" ]; then
-  mirror=$(apt-get indextargets --format '$(LABEL) $(REPO_URI)' | sed -n 's/^Debian //p' | head -n 1)
-fi
-: "${mirror:?This machine knows no mirror of Debian; name one by --mirror}"
-
-# within ROOT USER COMMAND: all mounts end with the command
-within()
-{
-  root=$1 user=$2 command=$3 unshare --mount bash -c '
-    set -e
-    for system in proc sys dev; do mount --rbind "/$system" "$root/$system"; done
-    exec chroot "$root" su - "$user" --command "export DEBIAN_FRONTEND=noninteractive; $command"'
-}
+[ "$#" -gt 0 ] || usage "${BASH_SOURCE[0]}"
+require_debootstrap
 
 # steps: what the user does in the home folder
 steps='
@@ -75,19 +58,14 @@ mkdir -p "$folder"
 failed=()
 for suite in "$@"; do
   root=$folder/$suite base=$folder/$suite.base
-  if [ ! -e "$base.complete" ]; then
-    rm -rf --one-file-system "$base"
-    debootstrap --variant=minbase --include=ca-certificates,python3-venv "$suite" "$base" "$mirror" sid >"$base.log" 2>&1
-    touch "$base.complete"
+  if [ ! -e "$base/complete" ]; then
+    make_system "$suite" "$base" python3-venv >"$base.log" 2>&1
   fi
   rm -rf --one-file-system "$root"
   cp --archive --reflink=auto "$base" "$root"
-  cp /etc/resolv.conf /etc/hosts "$root/etc"
-  apt-config dump Acquire >"$root/etc/apt/apt.conf.d/01host"
   if [ -n "${PIP_CERT:-}" ]; then # a machine whose network has certificates of its own
     cp --dereference "$PIP_CERT" "$root/etc/ssl/certs/ca-certificates.crt"
   fi
-  chroot "$root" useradd --create-home --shell /bin/bash tester
   mkdir "$root/home/tester/wheels"
   cp "$wheels"/conformalsom-*.whl "$root/home/tester/wheels"
   cp "$source_dir/Testing/Wheel/make_scan.py" "$root/home/tester"
