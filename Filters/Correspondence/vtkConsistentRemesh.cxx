@@ -14,7 +14,6 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -1,4 +1,5 @@
 """Objects whose surface is known, by an equation or by triangles, and points on them."""
+import argparse
 import os
 
 import numpy as np
@@ -197,3 +198,16 @@ def known_object(name, scans, count=0):
     if name in EQUATIONS:
         return Shape(name, count or 40000)
     raise ValueError(f"{name}: no such object; expected one of {', '.join([*EQUATIONS, *SCANS])}")
+
+
+def parser_of_object(description):
+    """A parser of arguments, with the name of an object and the folder of scans."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--object", default="armadillo", help="name of known_objects.py, default %(default)s")
+    parser.add_argument("--scans", default="../shared/data", help="folder of the objects' files")
+    return parser
+
+
+def numbers(text):
+    """Whole numbers that are separated by commas."""
+    return [int(number) for number in text.split(",")]

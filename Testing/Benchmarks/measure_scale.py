@@ -18,8 +18,6 @@ package that is not installed are left out.
     web         fraction of the surface's area farther than 0.02 from the object
 --picture draws p2s over CPU seconds, one line for each method and number of points.
 """
-import argparse
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
@@ -122,17 +120,11 @@ def draw(rows, path):
     writer.Write()
 
 
-def numbers(text):
-    return [int(number) for number in text.split(",")]
-
-
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--object", default="armadillo", help="name of known_objects.py, default %(default)s")
-    parser.add_argument("--scans", default="../shared/data", help="folder of the objects' files")
-    parser.add_argument("--points", type=numbers, default=[100000, 1000000], help="default 100000,1000000")
-    parser.add_argument("--neurons", type=numbers, default=[12962, 40000, 100000], help="default 12962,40000,100000")
-    parser.add_argument("--depths", type=numbers, default=[8, 9, 10], help="of Poisson's octree, default 8,9,10")
+    parser = known_objects.parser_of_object(__doc__)
+    parser.add_argument("--points", type=known_objects.numbers, default=[100000, 1000000], help="default 100000,1000000")
+    parser.add_argument("--neurons", type=known_objects.numbers, default=[12962, 40000, 100000], help="default 12962,40000,100000")
+    parser.add_argument("--depths", type=known_objects.numbers, default=[8, 9, 10], help="of Poisson's octree, default 8,9,10")
     parser.add_argument("--most", type=int, default=100000,
                         help="Open3D estimates normals of at most so many points, default %(default)s")
     parser.add_argument("--methods", type=lambda text: text.lower().split(","),

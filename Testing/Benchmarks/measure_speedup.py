@@ -14,7 +14,6 @@ threads in turn, and times are the shortest of all runs. On a machine with other
 
 Points of the meshes must have the same bits for both numbers of threads; otherwise the program ends with status 1.
 """
-import argparse
 import hashlib
 import os
 import time
@@ -25,7 +24,7 @@ import known_objects
 from helpers.clouds import cloud_of
 from separate_process import measured, print_header, print_row
 
-FILTERS = {"vtkConformalSOM": "learning", "vtkCurvedSeamlessSurface": "smooth surface"}
+STEPS = "learning", "smooth surface"
 
 
 def seconds_of(points, neurons):
@@ -58,19 +57,13 @@ def shortest(points, neurons, runs):
     return best
 
 
-def numbers(text):
-    return [int(number) for number in text.split(",")]
-
-
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--object", default="armadillo", help="name of known_objects.py, default %(default)s")
-    parser.add_argument("--scans", default="../shared/data", help="folder of the objects' files")
-    parser.add_argument("--points", type=numbers, default=[60000, 1000000], help="default 60000,1000000")
-    parser.add_argument("--neurons", type=numbers, default=[12962, 100000],
+    parser = known_objects.parser_of_object(__doc__)
+    parser.add_argument("--points", type=known_objects.numbers, default=[60000, 1000000], help="default 60000,1000000")
+    parser.add_argument("--neurons", type=known_objects.numbers, default=[12962, 100000],
                         help="one for each number of points, default 12962,100000")
     parser.add_argument("--runs", type=int, default=3, help="default %(default)s")
-    parser.add_argument("--modeled", type=numbers, default=[8, 64], help="numbers of threads, default 8,64")
+    parser.add_argument("--modeled", type=known_objects.numbers, default=[8, 64], help="numbers of threads, default 8,64")
     options = parser.parse_args()
     print_header("points", "neurons", "step", "seconds, 1 thread", "seconds, 2 threads", "time ratio",
                  "serial % of time",
@@ -78,7 +71,7 @@ def main():
     for count, neurons in zip(options.points, options.neurons):
         mesh = known_objects.known_object(options.object, options.scans, count).mesh()
         best = shortest(known_objects.Scan(mesh, count).points, neurons, options.runs)
-        for step, one, two in zip(FILTERS.values(), best[1], best[2]):
+        for step, one, two in zip(STEPS, best[1], best[2]):
             serial = max(0.0, 2.0 * two / one - 1.0)
             times = one, two, two / one
             print_row(f"{count:,}", f"{neurons:,}", step, *(f"{value:.2f}" for value in times), f"{100 * serial:.0f}",

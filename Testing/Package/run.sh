@@ -11,7 +11,7 @@
 #   --folder DIR    for the systems, 10 GB each suite, and their logs; default build/package-systems
 #   --mirror URL    of Debian; default: that of this machine
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../Systems/systems.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../Systems/debian.sh"
 
 folder=$source_dir/build/package-systems packages='' mirror=''
 while [[ ${1:-} == --* ]]; do

@@ -12,7 +12,7 @@
 #   --keep         go on in systems that are there, with the packages they have
 #   --mirror URL   of Debian; default: that of this machine
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/systems.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/debian.sh"
 
 folder=$source_dir/build/systems cache='' keep='' mirror=''
 while [[ ${1:-} == --* ]]; do

@@ -10,7 +10,7 @@
 #   --folder DIR   for the systems, 2 GB each, kept as they are made, and their logs; default build/wheel/systems
 #   --mirror URL   of Debian; default: that of this machine
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../Systems/systems.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../Systems/debian.sh"
 
 folder=$source_dir/build/wheel/systems wheels=$source_dir/build/wheel/dist mirror=''
 while [[ ${1:-} == --* ]]; do

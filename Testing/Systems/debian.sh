@@ -1,4 +1,4 @@
-# systems.sh: functions for scripts that make fresh systems of Debian, as root. Sourced by run.sh beside it, by
+# debian.sh: functions for scripts that make fresh systems of Debian, as root. Sourced by run.sh beside it, by
 # Testing/Package/run.sh and by Testing/Wheel/systems.sh.
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 
