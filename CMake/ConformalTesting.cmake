@@ -23,6 +23,7 @@ function (conformal_add_tests layer)
   # Half of the time of most tests to compile.
   target_precompile_headers(${program} PRIVATE
     <gtest/gtest.h> <algorithm> <cmath> <functional> <string> <vector> ${arg_PRECOMPILE})
+  conformal_unite_folders(${program})
   foreach (source IN LISTS sources)
     get_filename_component(unit "${source}" NAME_WE)
     string(REGEX REPLACE "^Test" "" unit "${unit}")

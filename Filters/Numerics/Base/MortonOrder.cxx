@@ -8,7 +8,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
 constexpr int BitsOfAxis = 10, BitsOfKey = 3 * BitsOfAxis;
 
 struct Cell
@@ -68,7 +67,7 @@ std::vector<int> mortonOrder(
   Index count, const std::function<Vector3(Index)>& place, const Run& run)
 {
   std::vector<Cell> cells(count);
-  forBlocks(run, count, BlockSize,
+  forBlocks(run, count, LightBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -100,6 +100,11 @@ private:
   Progress Watcher;
 };
 
+/// Number of consecutive indices in a block. An index of a light block costs less than a
+/// microsecond, an index of a heavy block more. Sums over blocks change with these numbers, in
+/// their last bits.
+constexpr Index LightBlock = 1024, HeavyBlock = 256;
+
 /// Call body(begin, end) for each block of up to `blockSize` consecutive indices in [0, size).
 inline void forBlocks(
   const Run& run, Index size, Index blockSize, const std::function<void(Index, Index)>& body)

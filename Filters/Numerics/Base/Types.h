@@ -20,6 +20,7 @@ using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>; ///< column-major matrix
 
 constexpr double Pi = 3.14159265358979323846;
+constexpr double Degree = Pi / 180.0; ///< in radians
 
 /// Return the corner (0, 1 or 2) that follows a corner of a triangle counter-clockwise. The inverse
 /// function is previous().

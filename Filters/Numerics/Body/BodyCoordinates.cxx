@@ -21,7 +21,6 @@ namespace conformal
 {
 namespace
 {
-constexpr double Degree = Pi / 180.0;
 
 // Point of the surface in a triangle.
 struct BodyPoint

@@ -14,7 +14,7 @@ namespace conformal
 {
 namespace
 {
-struct Moments
+struct BodyMoments
 {
   double Volume = 0.0;
   Vector3 Middle = Vector3::Zero();
@@ -22,14 +22,14 @@ struct Moments
 };
 
 // Sum over tetrahedra with an apex near the body.
-Moments momentsOf(const Mesh& body)
+BodyMoments momentsOf(const Mesh& body)
 {
   if (body.Triangles.rows() == 0)
   {
     throw std::invalid_argument("the surface has no triangles");
   }
   const Vector3 origin = body.Positions.colwise().mean();
-  Moments moments;
+  BodyMoments moments;
   double area = 0.0;
   for (Index r = 0; r < body.Triangles.rows(); ++r)
   {
@@ -67,7 +67,7 @@ double radiusOfSphere(double volume)
 //------------------------------------------------------------------------------
 ReferenceEllipsoid referenceSphere(const Mesh& body)
 {
-  const Moments moments = momentsOf(body);
+  const BodyMoments moments = momentsOf(body);
   ReferenceEllipsoid reference;
   reference.Center = moments.Middle;
   reference.Radii.setConstant(radiusOfSphere(moments.Volume));
@@ -77,7 +77,7 @@ ReferenceEllipsoid referenceSphere(const Mesh& body)
 //------------------------------------------------------------------------------
 ReferenceEllipsoid referenceEllipsoid(const Mesh& body)
 {
-  const Moments moments = momentsOf(body);
+  const BodyMoments moments = momentsOf(body);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.Second);
   ReferenceEllipsoid reference;
   reference.Center = moments.Middle;

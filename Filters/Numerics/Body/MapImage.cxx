@@ -9,7 +9,7 @@ namespace conformal
 {
 namespace
 {
-constexpr int Outside = -1;
+constexpr int OffMap = -1;
 
 // Compute the number of the graticule cell of a direction.
 int cellOf(const Vector3& n, double spacing)
@@ -105,14 +105,14 @@ MapMarks markMap(const MapImage& image, double spacing, const Run& run)
         marks.OutsideMap[i] = !isOnMap;
         if (spacing > 0.0)
         {
-          cells[i] = isOnMap ? cellOf(n, spacing) : Outside;
+          cells[i] = isOnMap ? cellOf(n, spacing) : OffMap;
         }
       }
     });
   for (Index i = 0; i < static_cast<Index>(cells.size()); ++i)
   {
     const auto isOther = [&](Index other)
-    { return cells[i] != Outside && cells[other] != Outside && cells[i] != cells[other]; };
+    { return cells[i] != OffMap && cells[other] != OffMap && cells[i] != cells[other]; };
     const bool hasRight = (i + 1) % grid.Width != 0, hasAbove = i + grid.Width < grid.size();
     marks.Graticule[i] = (hasRight && isOther(i + 1)) || (hasAbove && isOther(i + grid.Width));
   }

@@ -18,7 +18,7 @@ namespace conformal
 {
 namespace
 {
-constexpr int Outside = -1;
+constexpr int NoPixel = -1;
 
 // Pixel at a position in pixels.
 Index pixelAt(const MapImage& image, const Vector2& pixels)
@@ -59,7 +59,7 @@ std::vector<int> extended(const MapImage& image, const std::vector<int>& labels)
 }
 
 // Sums over the parts of one label.
-struct Moments
+struct LabelMoments
 {
   double Area = 0.0;
   Vector3 First = Vector3::Zero();
@@ -71,7 +71,7 @@ struct Moments
     this->First += area * position;
     this->Second += area * position * position.transpose();
   }
-  void add(const Moments& other)
+  void add(const LabelMoments& other)
   {
     this->Area += other.Area;
     this->First += other.First;
@@ -79,7 +79,7 @@ struct Moments
   }
 };
 
-using MomentsOfLabels = std::map<int, Moments>;
+using MomentsOfLabels = std::map<int, LabelMoments>;
 
 // Divide triangles into parts of one label.
 class Division
@@ -255,7 +255,7 @@ public:
 
   struct Pair
   {
-    Index Other = Outside;
+    Index Other = NoPixel;
     bool IsAcrossOutline = false;
   };
 
@@ -281,7 +281,7 @@ public:
     // A pixel whose middle is beyond the outline has the label of the map that it shows.
     Vector3 direction;
     const bool isHole = !this->IsInMap[other] && this->Image.directionOf(other, direction);
-    return { isHole || other == pixel ? Outside : other, true };
+    return { isHole || other == pixel ? NoPixel : other, true };
   }
 
   Vector3 between(Index pixel, const Pair& pair) const
@@ -505,7 +505,7 @@ Contacts findContacts(
   return contacts;
 }
 
-void measureShape(LabelMeasure& measure, const Moments& moments, const TriangleTree& tree)
+void measureShape(LabelMeasure& measure, const LabelMoments& moments, const TriangleTree& tree)
 {
   measure.Area = moments.Area;
   const Vector3 mean = moments.First / moments.Area;

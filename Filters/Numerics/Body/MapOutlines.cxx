@@ -14,7 +14,6 @@ namespace conformal
 {
 namespace
 {
-constexpr double Degree = Pi / 180.0;
 
 double signedArea(const std::vector<Vector2>& corners)
 {

@@ -13,7 +13,6 @@ namespace
 using Complex = std::complex<double>;
 
 const double Sqrt2 = std::sqrt(2.0);
-constexpr double Degree = Pi / 180.0;
 
 // Rotate the sphere so that the central longitude is at 0.
 Vector3 turned(const Vector3& n, double degrees)

@@ -9,11 +9,6 @@
 
 namespace conformal
 {
-namespace
-{
-constexpr Index BlockSize = 1 << 10;
-}
-
 //------------------------------------------------------------------------------
 PlanetocentricFrame planetocentricFrame(const BodyCoordinatesOptions& options)
 {
@@ -38,7 +33,7 @@ Points planetocentricCoordinates(
   const Points& points, const PlanetocentricFrame& frame, const Run& run)
 {
   Points result(points.rows(), 3);
-  forBlocks(run, points.rows(), BlockSize,
+  forBlocks(run, points.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -61,7 +56,7 @@ void paintPlanetocentricMap(const Mesh& body, const PlanetocentricFrame& frame,
   }
   Steps steps(run, { 0.1, 0.9 });
   const OutermostHits hits(body.Positions, body.Triangles, steps.next());
-  forBlocksReporting(steps.next(), image.Grid.size(), BlockSize,
+  forBlocksReporting(steps.next(), image.Grid.size(), LightBlock,
     [&](Index begin, Index end)
     {
       std::vector<SurfacePlace> places(end - begin);

@@ -18,7 +18,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
 constexpr int Rounds = 5, CoarseRounds = 2;
 constexpr Index MinimumNodes = 8;
 constexpr int HalfWindow = 3; // nodes
@@ -43,7 +42,7 @@ NearPoints measured(const Points& points, const Run& run)
 {
   NearPoints near{ points, std::vector<double>(points.rows()) };
   const SampleSpacing spacing(points);
-  forBlocks(run, points.rows(), BlockSize,
+  forBlocks(run, points.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> around;
@@ -99,7 +98,7 @@ BorderCurve onSurface(const Points& nodes, const BorderSurface& surface, const R
 {
   const Index size = nodes.rows();
   BorderCurve curve{ Points(size, 3), Points(size, 3), Points(size, 3) };
-  forBlocks(run, size, BlockSize,
+  forBlocks(run, size, HeavyBlock,
     [&](Index begin, Index end)
     {
       int hint = -1;
@@ -158,7 +157,7 @@ Evidence gatherEvidence(
   const Index nodes = curve.Positions.rows(), size = points.Positions.rows();
   const PointTree tree(curve.Positions);
   std::vector<std::pair<int, double>> found(size, { -1, 0.0 });
-  forBlocks(run, size, BlockSize,
+  forBlocks(run, size, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -13,7 +13,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 64;
+constexpr Index PointsPerBlock = 64;
 constexpr int Rings = 1;
 constexpr int PointsOfFit = 40;
 constexpr int MinimumPoints = 12;
@@ -112,7 +112,7 @@ void polishBorder(
   const PointTree tree(points);
   // Moves in edges: smaller ones are details of the surface, larger ones are errors of the fit.
   constexpr double smallest = 0.15, largest = 1.5;
-  forBlocks(run, static_cast<Index>(near.size()), BlockSize,
+  forBlocks(run, static_cast<Index>(near.size()), PointsPerBlock,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> around;

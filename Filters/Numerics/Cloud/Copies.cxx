@@ -11,7 +11,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1 << 14;
+constexpr Index PointsPerBlock = 1 << 14;
 constexpr Index PointsPerPart = 1 << 20;
 
 // The mixing function of \cite Steele2014: each bit of the result depends on each bit of the
@@ -109,7 +109,7 @@ Copies findCopies(const PointView& points, const std::function<bool(Index)>& ski
   const std::uint64_t parts = 1 + shareOf(reduce, points.size()).Total / PointsPerPart;
   std::vector<std::uint64_t> keys(points.size());
   Steps steps(run, { 0.5, 0.5 }); // keys, copies
-  forBlocksReporting(steps.next(), points.size(), BlockSize,
+  forBlocksReporting(steps.next(), points.size(), PointsPerBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -19,7 +19,7 @@ namespace
 {
 using Place = std::array<double, 3>;
 
-constexpr Index BlockSize = 1 << 14;
+constexpr Index PointsPerBox = 1 << 14;
 constexpr Index MinimumPlaces = 20; // fewer positions have no typical distance
 constexpr Index SampledPoints = 20000;
 constexpr double RadiusQuantile = 0.9;
@@ -156,15 +156,15 @@ private:
   // Compute the maximum distance of the bounding box of the points on all ranks.
   double extent() const
   {
-    std::vector<Box> boxes((this->View.size() + BlockSize - 1) / BlockSize);
-    forBlocks(this->Threads, this->View.size(), BlockSize,
+    std::vector<Box> boxes((this->View.size() + PointsPerBox - 1) / PointsPerBox);
+    forBlocks(this->Threads, this->View.size(), PointsPerBox,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
         {
           if (this->examines(i))
           {
-            boxes[begin / BlockSize].extend(quarterOf(this->View[i]));
+            boxes[begin / PointsPerBox].extend(quarterOf(this->View[i]));
           }
         }
       });

@@ -9,8 +9,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
-
 /// Find the closest point of each i in [0, count), on all threads, and call body(i, x, foot) for
 /// each, in sequence and on one thread.
 /// @param[in] placeOf  function that returns the position x of i
@@ -19,7 +17,7 @@ template <typename PlaceOf, typename Closest, typename Body>
 void deliverFeet(
   Index count, const PlaceOf& placeOf, const Closest& closest, const Body& body, const Run& run)
 {
-  constexpr Index ChunkSize = 64 * BlockSize; // 10 to 20 ms between reports
+  constexpr Index ChunkSize = 64 * HeavyBlock; // 10 to 20 ms between reports
   struct Found
   {
     Vector3 Place;
@@ -37,7 +35,7 @@ void deliverFeet(
   while (delivered < count)
   {
     const Index size = std::min(ChunkSize, count - first);
-    const Index blocks = (size + BlockSize - 1) / BlockSize;
+    const Index blocks = (size + HeavyBlock - 1) / HeavyBlock;
     run.forEach(blocks + 1,
       [&](Index job)
       {
@@ -47,7 +45,7 @@ void deliverFeet(
           return;
         }
         // Places are read in a loop of their own, so that the processor waits for many at a time.
-        const Index begin = (job - 1) * BlockSize, end = std::min(size, job * BlockSize);
+        const Index begin = (job - 1) * HeavyBlock, end = std::min(size, job * HeavyBlock);
         for (Index i = begin; i < end; ++i)
         {
           feet[i].Place = placeOf(first + i);
@@ -78,7 +76,7 @@ std::vector<Visit> visitsAlongCurve(const std::vector<int>& sorted, Index count,
   const std::function<Index(Index)>& idOf, const Run& run)
 {
   std::vector<int> numbers(sorted.size(), -1);
-  forBlocks(run, count, BlockSize,
+  forBlocks(run, count, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

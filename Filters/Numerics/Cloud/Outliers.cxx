@@ -20,13 +20,9 @@ constexpr double ExaminedSamples = 10000.0, MarkedSamples = 50000.0;
 constexpr double ShareOfOutliers = 0.005;
 // Median distances, see isolatedPoints(). Many outliers are close to each other, so the limit is
 // lower once there are outliers.
-constexpr double Farthest = 8.0, FarthestAmongOutliers = 5.0;
+constexpr double FarthestPoint = 8.0, FarthestAmongOutliers = 5.0;
 constexpr int MaximumRounds = 8;
 constexpr double FewMarked = 0.001; // share of the samples that ends the rounds
-
-constexpr int Neighbors = StrayLimits::Neighbors;
-
-constexpr Index BlockSize = 256;
 
 Index countMarks(const std::vector<std::uint8_t>& marks)
 {
@@ -36,7 +32,7 @@ Index countMarks(const std::vector<std::uint8_t>& marks)
 bool hasOutliers(const TrainingSamples& samples, double examined, const Run& run)
 {
   const Points points = selectSamples(samples, examined).Positions;
-  return static_cast<double>(countMarks(isolatedPoints(points, Farthest, run))) >=
+  return static_cast<double>(countMarks(isolatedPoints(points, FarthestPoint, run))) >=
     ShareOfOutliers * static_cast<double>(points.rows());
 }
 
@@ -69,13 +65,13 @@ public:
     , Tree(clean, run.unwatched())
     , Squares(clean.rows())
   {
-    forBlocks(run, clean.rows(), BlockSize,
+    forBlocks(run, clean.rows(), HeavyBlock,
       [&](Index begin, Index end)
       {
         std::vector<Neighbor> nearest;
         for (Index i = begin; i < end; ++i)
         {
-          this->Tree.nearest(clean.row(i), Neighbors + 1, nearest);
+          this->Tree.nearest(clean.row(i), StrayLimits::Neighbors + 1, nearest);
           this->Squares[i] = nearest.back().SquareDistance;
         }
       });
@@ -90,7 +86,7 @@ public:
     }
     constexpr double limit = StrayLimits::FromNeighbors * StrayLimits::FromNeighbors;
     return nearest.SquareDistance > limit * this->Squares[nearest.Id] ||
-      isSteep(planeNear(this->Clean, this->Tree, x, Neighbors));
+      isSteep(planeNear(this->Clean, this->Tree, x, StrayLimits::Neighbors));
   }
 
 private:
@@ -110,13 +106,13 @@ TrainingSamples withoutOutliers(const TrainingSamples& samples, const Run& run)
     return samples;
   }
   const Points clean = cleanSamples(samples, steps.next());
-  if (clean.rows() <= Neighbors)
+  if (clean.rows() <= StrayLimits::Neighbors)
   {
     return samples;
   }
   const OutlierTest isOutlier(clean, run.unwatched());
   std::vector<std::uint8_t> marks(samples.size());
-  forBlocksReporting(steps.next(), samples.size(), BlockSize,
+  forBlocksReporting(steps.next(), samples.size(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -22,7 +22,7 @@ void acquitSurfaces(
 {
   constexpr int jury = 32;
   constexpr double share = 0.25;
-  constexpr Index BlockSize = 64;
+  constexpr Index SuspectsPerBlock = 64;
   std::vector<int> ids;
   for (Index i = 0; i < points.rows(); ++i)
   {
@@ -34,7 +34,7 @@ void acquitSurfaces(
   const auto size = static_cast<Index>(ids.size());
   Points places(size, 3);
   std::vector<std::uint8_t> flat(size), guilty(size);
-  forBlocksReporting(run.part(0.0, 0.5), size, BlockSize,
+  forBlocksReporting(run.part(0.0, 0.5), size, SuspectsPerBlock,
     [&](Index begin, Index end)
     {
       for (Index k = begin; k < end; ++k)
@@ -44,7 +44,7 @@ void acquitSurfaces(
       }
     });
   const PointTree others(places, run.unwatched());
-  forBlocksReporting(run.part(0.5, 1.0), size, BlockSize,
+  forBlocksReporting(run.part(0.5, 1.0), size, SuspectsPerBlock,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> nearest;
@@ -118,7 +118,6 @@ bool liesFlat(const Points& points, const PointTree& tree, const Vector3& place)
 
 std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
 {
-  constexpr Index BlockSize = 256;
   std::vector<std::uint8_t> stray(points.rows(), 0);
   if (points.rows() <= Neighbors)
   {
@@ -126,7 +125,7 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
   }
   Steps steps(run, { 0.1, 0.9 }); // tree, planes
   const PointTree tree(points, steps.next());
-  forBlocksReporting(steps.next(), points.rows(), BlockSize,
+  forBlocksReporting(steps.next(), points.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -140,7 +139,6 @@ std::vector<std::uint8_t> strayPoints(const Points& points, const Run& run)
 std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, const Run& run)
 {
   constexpr double FromNeighbors = StrayLimits::FromNeighbors;
-  constexpr Index BlockSize = 256;
   const Index size = points.rows();
   std::vector<std::uint8_t> isolated(size, 0);
   if (size <= Neighbors)
@@ -151,7 +149,7 @@ std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, 
   const PointTree tree(points, steps.next());
   std::vector<double> squares(size);
   std::vector<std::array<int, Neighbors>> around(size);
-  forBlocksReporting(steps.next(), size, BlockSize,
+  forBlocksReporting(steps.next(), size, HeavyBlock,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> nearest;
@@ -167,7 +165,7 @@ std::vector<std::uint8_t> isolatedPoints(const Points& points, double farthest, 
     });
   std::vector<double> sorted = squares;
   const double typical = medianOfPositive(sorted.begin(), sorted.end());
-  forBlocksReporting(steps.next(), size, BlockSize,
+  forBlocksReporting(steps.next(), size, HeavyBlock,
     [&](Index begin, Index end)
     {
       std::array<double, Neighbors> theirs;

@@ -18,7 +18,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1 << 12;
+constexpr Index SamplesPerValue = 1 << 12;
 
 /// Mass, first and second moments of the samples, as integer multiples of 2^-50. Each sum has two
 /// parts, so that 2^38 numbers of magnitude up to 1 do not overflow. Blocks and ranks may be added
@@ -85,9 +85,9 @@ template <typename Value>
 std::vector<Value> forEachBlock(
   const Run& run, Index size, const std::function<void(Index begin, Index end, Value& value)>& body)
 {
-  std::vector<Value> values((size + BlockSize - 1) / BlockSize);
-  forBlocksReporting(run, size, BlockSize,
-    [&](Index begin, Index end) { body(begin, end, values[begin / BlockSize]); });
+  std::vector<Value> values((size + SamplesPerValue - 1) / SamplesPerValue);
+  forBlocksReporting(run, size, SamplesPerValue,
+    [&](Index begin, Index end) { body(begin, end, values[begin / SamplesPerValue]); });
   return values;
 }
 }

@@ -13,26 +13,26 @@ namespace conformal
 namespace
 {
 using Vector2 = Eigen::Vector2d;
-constexpr double Tolerance = 1e-9; // of angles
+constexpr double AngleTolerance = 1e-9; // of angles
 
 // Angle between two directions, in [0, pi].
 double angleBetween(const Vector2& a, const Vector2& b)
 {
   return std::atan2(std::abs(cross(a, b)), a.dot(b));
 }
-
-// Edge between two successive triangles of a sleeve, as seen along the path.
-struct Portal
-{
-  int Left, Right;
-  Vector2 LeftPlace, RightPlace;
-};
 }
 
 // Sleeve: successive neighboring triangles, here unfolded in the plane. Portal i is between
 // triangles i and i + 1.
 struct PathStraightener::Unfolded
 {
+  // Edge between two successive triangles, as seen along the path.
+  struct Portal
+  {
+    int Left, Right;
+    Vector2 LeftPlace, RightPlace;
+  };
+
   Vector2 Start, End;
   std::vector<Portal> Portals;
   std::vector<std::array<Vector2, 3>> Corners; // of each triangle
@@ -163,7 +163,7 @@ std::vector<PathPoint> PathStraightener::straighten(
     const std::size_t end = isEnd ? unfolded.Portals.size() : touched[i].First;
     for (; portal < end; ++portal)
     {
-      const Portal& edge = unfolded.Portals[portal];
+      const Unfolded::Portal& edge = unfolded.Portals[portal];
       const PathPoint& before = result.back();
       const bool isAtEnd =
         before.First == before.Second && (edge.Left == before.First || edge.Right == before.First);
@@ -276,7 +276,7 @@ PathStraightener::Unfolded PathStraightener::unfold(
     }
     const auto ids = this->Surface.Triangles.row(sleeve[i]);
     const std::array<Vector2, 3>& here = result.Corners.back();
-    const Portal portal = { ids[next(side)], ids[side], here[next(side)], here[side] };
+    const Unfolded::Portal portal = { ids[next(side)], ids[side], here[next(side)], here[side] };
     const int corner = cornerOf(this->Surface.Triangles, sleeve[i + 1], portal.Left);
     const int opposite = this->Surface.Triangles(sleeve[i + 1], previous(corner));
     std::array<Vector2, 3> there;
@@ -295,7 +295,7 @@ PathStraightener::Unfolded PathStraightener::unfold(
 // Find the vertices that the shortest path through a sleeve touches, by the funnel method.
 std::vector<PathStraightener::Touched> PathStraightener::shortestPath(const Unfolded& unfolded)
 {
-  const std::vector<Portal>& portals = unfolded.Portals;
+  const std::vector<Unfolded::Portal>& portals = unfolded.Portals;
   std::vector<Touched> path;
   Vector2 apex = unfolded.Start;
   for (std::size_t start = 0; start < portals.size();)
@@ -306,7 +306,7 @@ std::vector<PathStraightener::Touched> PathStraightener::shortestPath(const Unfo
     bool isClosed = false;
     const auto close = [&](std::size_t at, bool isLeft)
     {
-      const Portal& portal = portals[at];
+      const Unfolded::Portal& portal = portals[at];
       path.push_back({ isLeft ? portal.Left : portal.Right,
         isLeft ? portal.LeftPlace : portal.RightPlace, at, at, isLeft });
       isClosed = true;
@@ -364,7 +364,7 @@ std::vector<PathStraightener::Touched> PathStraightener::shortestPath(const Unfo
 bool PathStraightener::bypass(
   std::vector<int>& sleeve, const Unfolded& unfolded, const std::vector<Touched>& touched) const
 {
-  double smallest = Pi - Tolerance;
+  double smallest = Pi - AngleTolerance;
   std::vector<int> way;
   std::size_t begin = 0, end = 0;
   for (std::size_t i = 0; i < touched.size(); ++i)

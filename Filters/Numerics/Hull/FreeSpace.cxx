@@ -15,7 +15,7 @@ constexpr double NearnessOfNoise = 4.0;   // or in standard deviations of the no
 constexpr double StepOfNode = 0.5;        // between marks along a ray, in coarse nodes
 constexpr Index PointsPerReport = 4096;
 
-constexpr std::uint8_t Unknown = 0, Free = 1, Near = 2;
+constexpr std::uint8_t Unknown = 0, Free = 1, NearPoint = 2;
 
 // Make a coarse grid that covers a grid.
 FreudenthalGrid coarseGridOf(const FreudenthalGrid& grid, double spacing)
@@ -105,7 +105,7 @@ std::vector<float> freeSpace(const FreudenthalGrid& grid, const Points& points,
   for (Index i = 0; i < points.rows(); ++i)
   {
     forNodesNear(coarse, coarse.toGrid(points.row(i)), nearness / coarse.Spacing, 0,
-      [&](int node) { marks[node] = Near; });
+      [&](int node) { marks[node] = NearPoint; });
   }
   for (Index i = 0; i < points.rows(); ++i)
   {

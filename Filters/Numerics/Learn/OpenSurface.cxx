@@ -18,8 +18,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
-
 /// Return the samples of all ranks within a distance of the curves.
 Points samplesNear(const TrainingSamples& samples, const std::vector<BorderCurve>& borders,
   double reach, const Run& run)
@@ -32,7 +30,7 @@ Points samplesNear(const TrainingSamples& samples, const std::vector<BorderCurve
   }
   const PointTree tree(PointView(coordinates.data(), static_cast<Index>(coordinates.size() / 3)));
   std::vector<char> isNear(samples.size(), 0);
-  forBlocksReporting(run, samples.size(), BlockSize,
+  forBlocksReporting(run, samples.size(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

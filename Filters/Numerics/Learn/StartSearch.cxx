@@ -59,7 +59,7 @@ constexpr double ToleratedExcess = 0.005;
 
 // With fewer samples for each neuron than this number, a hull may be cracked across thin parts,
 // which are then joined by a thread. The samples do not show it, but the map to the sphere does.
-constexpr Index EnoughSamples = 2;
+constexpr Index SamplesOfStart = 2;
 
 /// Fractions of the progress of one start, measured on scans: first surface, fit, quality.
 constexpr double ShareOfFirst = 0.2, ShareOfFit = 0.7, ShareOfFilling = 0.02, ShareOfQuality = 0.08;
@@ -235,7 +235,7 @@ private:
   {
     return this->Options.HullMethod == HullMethod::Automatic && this->IsSolid &&
       this->Options.Genus == HullGenus::Zero &&
-      this->Samples.totalSize() < EnoughSamples * this->Options.NumberOfNeurons;
+      this->Samples.totalSize() < SamplesOfStart * this->Options.NumberOfNeurons;
   }
 
   void keepBetter(ConformalSOMResult result, const Run& run)

@@ -7,8 +7,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
-
 Vector3 positionOf(const Points& points, const Triangles& triangles, Index r, int corner)
 {
   return points.row(triangles(r, corner));
@@ -20,7 +18,7 @@ Points normalsOf(
   const Points& points, const Triangles& triangles, const Adjacency& around, const Run& run)
 {
   Points normals(points.rows(), 3);
-  forBlocks(run, points.rows(), BlockSize,
+  forBlocks(run, points.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -55,7 +53,7 @@ MeanCurvature::MeanCurvature(
   , Values(triangles.rows())
 {
   const Points normals = normalsOf(points, triangles, this->Around, run);
-  forBlocks(run, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

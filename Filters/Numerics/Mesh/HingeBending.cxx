@@ -8,8 +8,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 512;
-
 /// Factor of the energy that makes it as stiff as the uniform Laplacian.
 constexpr double LikeLaplacian = 1.0 / 14.0;
 
@@ -33,11 +31,11 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
 {
   const conformal::Triangles across = triangleNeighbors(triangles, around, run);
   // The triangle of smaller id numbers an edge. First count where each block of triangles starts.
-  std::vector<Index> firstOfBlock((triangles.rows() + BlockSize - 1) / BlockSize + 1, 0);
-  forBlocks(run, triangles.rows(), BlockSize,
+  std::vector<Index> firstOfBlock((triangles.rows() + HeavyBlock - 1) / HeavyBlock + 1, 0);
+  forBlocks(run, triangles.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
-      Index& count = firstOfBlock[begin / BlockSize + 1];
+      Index& count = firstOfBlock[begin / HeavyBlock + 1];
       for (Index r = begin; r < end; ++r)
       {
         count += (across.row(r).array() > static_cast<int>(r)).count();
@@ -45,10 +43,10 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
     });
   std::partial_sum(firstOfBlock.begin(), firstOfBlock.end(), firstOfBlock.begin());
   this->Hinges.resize(firstOfBlock.back());
-  forBlocks(run, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
-      auto hinge = static_cast<int>(firstOfBlock[begin / BlockSize]);
+      auto hinge = static_cast<int>(firstOfBlock[begin / HeavyBlock]);
       for (int r = static_cast<int>(begin); r < end; ++r)
       {
         for (int k = 0; k < 3; ++k)
@@ -70,7 +68,7 @@ HingeBending::HingeBending(const conformal::Triangles& triangles, const Adjacenc
     });
   const Index size = static_cast<Index>(this->Hinges.size());
   this->Bent.resize(size, 3);
-  forBlocks(run, size, BlockSize,
+  forBlocks(run, size, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index h = begin; h < end; ++h)
@@ -113,7 +111,7 @@ void HingeBending::forHingesOf(int vertex, const Visitor& visit) const
 
 void HingeBending::bend(const Points& x, const Run& run)
 {
-  forBlocks(run, static_cast<Index>(this->Hinges.size()), BlockSize,
+  forBlocks(run, static_cast<Index>(this->Hinges.size()), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index h = begin; h < end; ++h)

@@ -56,10 +56,10 @@ double turn(const Vector2& a, const Vector2& b, const Vector2& c)
 }
 
 // Remaining polygon while ears are clipped.
-class Ring
+class Outline
 {
 public:
-  explicit Ring(std::vector<Vector2> corners)
+  explicit Outline(std::vector<Vector2> corners)
     : Corners(std::move(corners))
     , Next(this->Corners.size())
     , Previous(this->Corners.size())
@@ -171,7 +171,7 @@ Triangles triangulatePolygon(const Points& corners)
   {
     return Triangles(0, 3);
   }
-  Ring ring(std::move(flat));
+  Outline ring(std::move(flat));
   Triangles triangles(count - 2, 3);
   int i = 0;
   Index misses = 0;

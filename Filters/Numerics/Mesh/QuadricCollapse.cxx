@@ -20,7 +20,7 @@ constexpr double TurnedOverCost = 1e6;
 constexpr double ShapeWeight = 1e-4;
 constexpr double WorstAspect = 8.0; // maximum aspect ratio of a triangle; 1 if equilateral
 // Minimum cosine between the normals of a triangle before and after a collapse
-constexpr double MinimumCosine = 0.2;
+constexpr double CollapseCosine = 0.2;
 // Maximum number of neighbors of a vertex after a collapse
 constexpr std::size_t MaximumNeighbors = 10;
 constexpr std::size_t TooManyNeighbors = 24; // vertices with more neighbors are not removed yet
@@ -91,7 +91,7 @@ double QuadricCollapse::shapeCost(int v, int u) const
     const Vector3 p = this->point(first), q = this->point(second);
     const Vector3 before = (p - from).cross(q - from), after = (p - to).cross(q - to);
     const double length = after.norm();
-    turned = turned || before.dot(after) < MinimumCosine * before.norm() * length;
+    turned = turned || before.dot(after) < CollapseCosine * before.norm() * length;
     area += length;
     aspect = std::max(aspect, aspectOf(to, p, q, length));
   }

@@ -17,8 +17,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 512;
-
 // Limits of edge lengths, divided by the target length. Their ratio is large enough that no edge is
 // split and collapsed again and again.
 constexpr double LongestEdge = 4.0 / 3.0, ShortestEdge = 4.0 / 5.0;
@@ -204,7 +202,7 @@ public:
   {
     for (const std::vector<int>& color : this->colors())
     {
-      forBlocks(this->Threads, static_cast<Index>(color.size()), BlockSize,
+      forBlocks(this->Threads, static_cast<Index>(color.size()), HeavyBlock,
         [&](Index begin, Index end)
         {
           for (Index i = begin; i < end; ++i)
@@ -347,11 +345,11 @@ private:
     const std::function<bool(int, int, Operation&)>& proposed) const
   {
     const Index size = this->Rings.size();
-    std::vector<std::vector<Operation>> found((size + BlockSize - 1) / BlockSize);
-    forBlocks(this->Threads, size, BlockSize,
+    std::vector<std::vector<Operation>> found((size + HeavyBlock - 1) / HeavyBlock);
+    forBlocks(this->Threads, size, HeavyBlock,
       [&](Index begin, Index end)
       {
-        std::vector<Operation>& ours = found[begin / BlockSize];
+        std::vector<Operation>& ours = found[begin / HeavyBlock];
         for (int a = static_cast<int>(begin); a < end; ++a)
         {
           if (!active[a])

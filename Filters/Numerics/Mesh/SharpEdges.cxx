@@ -16,7 +16,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
 constexpr int FilterPasses = 8;
 constexpr int MajorityPasses = 3;
 constexpr int GrowthPasses = 3; // number of passes that continue sharp edges into corners
@@ -45,7 +44,7 @@ constexpr double MaximumMisfit = 0.09;
 constexpr double MinimumEigenvalue = 0.04;
 
 // Limits for the rotation and quality of triangles with a moved vertex
-constexpr double MinimumCosine = 0.0, MinimumQuality = 0.05;
+constexpr double SnapCosine = 0.0, SnapQuality = 0.05;
 
 using Corners = std::array<Vector3, 3>;
 
@@ -99,7 +98,7 @@ public:
     , Centers(mesh.Triangles.rows(), 3)
     , Areas(mesh.Triangles.rows())
   {
-    forBlocks(this->Threads, this->Areas.size(), BlockSize,
+    forBlocks(this->Threads, this->Areas.size(), HeavyBlock,
       [&](Index begin, Index end)
       {
         for (Index r = begin; r < end; ++r)
@@ -119,7 +118,7 @@ public:
     Points next(this->Smoothed.rows(), 3);
     for (int pass = 0; pass < FilterPasses; ++pass)
     {
-      forBlocks(this->Threads, next.rows(), BlockSize,
+      forBlocks(this->Threads, next.rows(), HeavyBlock,
         [&](Index begin, Index end)
         {
           for (Index r = begin; r < end; ++r)
@@ -153,7 +152,7 @@ public:
     sortUnique(beside);
     std::vector<Candidate> candidates(beside.size());
     std::vector<char> sure(this->Surface.Positions.rows(), 0);
-    forBlocks(this->Threads, static_cast<Index>(beside.size()), BlockSize,
+    forBlocks(this->Threads, static_cast<Index>(beside.size()), HeavyBlock,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -344,8 +343,8 @@ bool staysGood(
   {
     const Corners before = cornersOf(mesh, *t), after = moved(*t);
     const Vector3 old = areaVector(before), now = areaVector(after);
-    if (now.dot(old) < MinimumCosine * now.norm() * old.norm() ||
-      quality(after) < std::min(MinimumQuality, quality(before)))
+    if (now.dot(old) < SnapCosine * now.norm() * old.norm() ||
+      quality(after) < std::min(SnapQuality, quality(before)))
     {
       return false;
     }

@@ -11,8 +11,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
-
 // Compute two edges of a triangle, and the vector to its fourth vertex.
 Eigen::Matrix3d frameOf(const Points& points, const Triangles& triangles, Index r)
 {
@@ -80,7 +78,7 @@ DeformationGradients::DeformationGradients(const Mesh& rest, const Run& run)
   , Inverses(rest.Triangles.rows(), Eigen::Matrix3d::Zero())
   , Donors(rest.Triangles.rows(), -1)
 {
-  forBlocksReporting(run, rest.Triangles.rows(), BlockSize,
+  forBlocksReporting(run, rest.Triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -104,7 +102,7 @@ DeformationGradients::DeformationGradients(const Mesh& rest, const Run& run)
 std::vector<Eigen::Matrix3d> DeformationGradients::of(const Points& pose, const Run& run) const
 {
   std::vector<Eigen::Matrix3d> gradients(this->Donors.size());
-  forBlocksReporting(run, this->Triangles.rows(), BlockSize,
+  forBlocksReporting(run, this->Triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

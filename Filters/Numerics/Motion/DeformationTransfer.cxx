@@ -19,8 +19,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
-
 /// Check a surface at rest, and turn its triangles so that they are counter-clockwise on the
 /// sphere.
 /// @return whether the map reflects the surface: whether triangles that are counter-clockwise on
@@ -246,7 +244,7 @@ std::vector<Eigen::Matrix3d> DeformationTransfer::wantedGradients(
   const std::vector<Eigen::Matrix3d> ofSource = this->Gradients.of(pose, steps.next());
   const ResampleWeights& weights = this->Correspondence.TriangleWeights;
   std::vector<Eigen::Matrix3d> wanted(weights.size());
-  forBlocksReporting(steps.next(), weights.size(), BlockSize,
+  forBlocksReporting(steps.next(), weights.size(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

@@ -14,7 +14,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
 using Parts = std::vector<std::pair<int, double>>; // ids and weights
 
 /// Locate points of target triangles in the source.
@@ -125,7 +124,7 @@ template <typename PartsOf>
 ResampleWeights collected(Index size, const PartsOf& partsOf, const Run& run)
 {
   std::vector<Parts> rows(size);
-  forBlocksReporting(run, size, BlockSize,
+  forBlocksReporting(run, size, HeavyBlock,
     [&](Index begin, Index end)
     {
       int hint = -1;

@@ -18,8 +18,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 512;
-
 struct Placed
 {
   conformal::Triangles Triangles; // counter-clockwise on the sphere seen from outside
@@ -84,7 +82,7 @@ void sample(const LocatedSurface& located, ConsistentMeshes& meshes, const Run& 
   Steps steps(run, { 0.7, 0.3 }); // progress: positions, weights
   std::vector<SphereLocation> locations(directions.rows());
   Points positions(directions.rows(), 3);
-  forBlocksReporting(steps.next(), directions.rows(), BlockSize,
+  forBlocksReporting(steps.next(), directions.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

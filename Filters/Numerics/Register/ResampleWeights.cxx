@@ -7,11 +7,6 @@
 
 namespace conformal
 {
-namespace
-{
-constexpr Index BlockSize = 1024;
-}
-
 //------------------------------------------------------------------------------
 void ResampleWeights::add(const std::vector<std::pair<int, double>>& parts)
 {
@@ -89,7 +84,7 @@ ResampledNumbers resampleNumbers(const ResampleWeights& weights, const std::vect
     return std::all_of(
       row, row + numberOfComponents, [](double value) { return std::isfinite(value); });
   };
-  forBlocksReporting(run, size, BlockSize,
+  forBlocksReporting(run, size, LightBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -129,7 +124,7 @@ std::vector<int> heaviestLabels(
   const ResampleWeights& weights, const std::vector<double>& labels, const Run& run)
 {
   std::vector<int> heaviest(weights.size(), -1);
-  forBlocksReporting(run, weights.size(), BlockSize,
+  forBlocksReporting(run, weights.size(), LightBlock,
     [&](Index begin, Index end)
     {
       std::vector<Index> parts;

@@ -47,12 +47,12 @@ Points carried(const SphereGrid& grid, const Points& places, const Points& direc
   return result;
 }
 
-Eigen::Matrix3d rotationOf(const SphereGrid& grid, const Points& places)
+Eigen::Matrix3d closestRotationOf(const SphereGrid& grid, const Points& places)
 {
   return closestRotation(grid.mesh().Positions, places, Eigen::VectorXd::Ones(places.rows()));
 }
 
-bool isBetter(const Candidate& a, const Candidate& b)
+bool hasLowerScore(const Candidate& a, const Candidate& b)
 {
   return a.Score < b.Score;
 }
@@ -190,7 +190,7 @@ private:
       }
       part.report(1.0);
     }
-    std::stable_sort(candidates.begin(), candidates.end(), isBetter);
+    std::stable_sort(candidates.begin(), candidates.end(), hasLowerScore);
   }
 
   void descendOne(Candidate& one, const Run& run) const
@@ -249,7 +249,8 @@ struct BothWays
 BothWays inOppositeDirection(Descents& forward, Descents& backward, const Candidate& candidate)
 {
   const Candidate opposite =
-    backward.fromRotations({ rotationOf(forward.grid(), candidate.Places).transpose() }, Run())
+    backward
+      .fromRotations({ closestRotationOf(forward.grid(), candidate.Places).transpose() }, Run())
       .front();
   BothWays both{ opposite.Score, {} };
   const Points inverse = inverseOf(forward.grid(), opposite.Places);
@@ -322,7 +323,7 @@ Points SphereDeformation::placesOf(const Points& directions, double fraction) co
   {
     return carried(this->Grid, this->Places, directions);
   }
-  const Eigen::Matrix3d rotation = rotationOf(this->Grid, this->Places);
+  const Eigen::Matrix3d rotation = closestRotationOf(this->Grid, this->Places);
   if (fraction == 0.0)
   {
     return directions * rotation.transpose();

@@ -43,9 +43,8 @@ SphereWeights SphereGrid::weightsAt(const Vector3& direction, int hint) const
 //------------------------------------------------------------------------------
 Rows sampleAt(const SphereGrid& grid, const Rows& values, const Points& directions, const Run& run)
 {
-  constexpr Index BlockSize = 512;
   Rows result(directions.rows(), values.cols());
-  forBlocksReporting(run, directions.rows(), BlockSize,
+  forBlocksReporting(run, directions.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       int hint = -1;

@@ -17,8 +17,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
-
 /// Shapes of weight above 0, and their centers.
 struct Active
 {
@@ -110,7 +108,7 @@ Wanted wantedTriangles(const Active& active, const Mesh& sphere, const Run& run)
   }
   Wanted wanted(triangles.rows());
   const Eigen::Matrix3d whole = rotationOf(weighted(active.Weights, active.Turns));
-  forBlocksReporting(steps.next(), triangles.rows(), BlockSize,
+  forBlocksReporting(steps.next(), triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

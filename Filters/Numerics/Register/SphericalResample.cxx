@@ -17,8 +17,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
-
 // Weights below this minimum are treated as 0. In files, sphere positions may be rounded to floats.
 constexpr double MinimumWeight = 1e-7;
 
@@ -53,7 +51,7 @@ std::vector<Parts> partsAt(const MappedMesh& source, const Points& directions, c
   Steps steps(run, { 0.5, 0.5 }); // progress: tree, foot points
   const TriangleTree tree(source.SpherePositions, source.Triangles, steps.next());
   std::vector<Parts> parts(directions.rows());
-  forBlocksReporting(steps.next(), directions.rows(), BlockSize,
+  forBlocksReporting(steps.next(), directions.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

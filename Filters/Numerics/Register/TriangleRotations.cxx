@@ -12,8 +12,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
-
 Eigen::Matrix3d cornersOf(const Points& points, const Triangles& triangles, Index r)
 {
   Eigen::Matrix3d corners;
@@ -162,7 +160,7 @@ std::vector<Vector3> triangleRotations(const Triangles& triangles, const Triangl
   const Eigen::Matrix3d turn = rotationOf(whole);
   std::vector<Eigen::Matrix3d> rotations(triangles.rows());
   std::vector<Vector3> vectors(triangles.rows());
-  forBlocksReporting(steps.next(), triangles.rows(), BlockSize,
+  forBlocksReporting(steps.next(), triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

@@ -67,9 +67,9 @@ CapRing halved(const CapRing& outer, int firstId)
   return ring;
 }
 
-using Corners = std::vector<std::array<int, 3>>;
+using CapTriangles = std::vector<std::array<int, 3>>;
 
-void addStrip(const CapRing& outer, const CapRing& inner, Corners& triangles)
+void addStrip(const CapRing& outer, const CapRing& inner, CapTriangles& triangles)
 {
   for (int j = 0; j < inner.size(); ++j)
   {
@@ -85,7 +85,7 @@ void addStrip(const CapRing& outer, const CapRing& inner, Corners& triangles)
   }
 }
 
-void addFan(const CapRing& ring, int middle, Corners& triangles)
+void addFan(const CapRing& ring, int middle, CapTriangles& triangles)
 {
   for (int j = 0; j < ring.size(); ++j)
   {
@@ -93,7 +93,7 @@ void addFan(const CapRing& ring, int middle, Corners& triangles)
   }
 }
 
-Triangles toTriangles(const Corners& corners)
+Triangles toTriangles(const CapTriangles& corners)
 {
   return Eigen::Map<const Triangles>(
     corners.empty() ? nullptr : corners.front().data(), static_cast<Index>(corners.size()), 3);
@@ -108,7 +108,7 @@ LoopCap ringsOf(const Points& corners, int maximumOfFan)
   const Vector3 middle = middleOf(corners);
   const auto size = static_cast<int>(corners.rows());
   LoopCap cap;
-  Corners triangles;
+  CapTriangles triangles;
   std::vector<Vector3> added;
   CapRing ring = outermost(corners);
   double radius = 1.0;

@@ -13,8 +13,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
-
 /// Intersect the part of a ray beyond hit.Distance with a triangle, and update the hit.
 void update(RayHit& hit, const Points& points, const Triangles& triangles, int r,
   const Vector3& origin, const std::array<Vector3, 3>& axes)
@@ -82,7 +80,7 @@ OutermostHits::OutermostHits(
   , Triangles(triangles)
 {
   std::vector<Box> boxes(triangles.rows());
-  forBlocks(run, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

@@ -11,7 +11,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index LeafSize = 8;
+constexpr Index PointsPerLeaf = 8;
 
 Index middleOf(Index first, Index last)
 {
@@ -60,7 +60,7 @@ PointTree::PointTree(const PointView& points, const Run& run)
   }
   // If the two parts of a range differ in size, the lower part has one more point.
   Index nodes = 0;
-  for (Index longest = this->size(), count = 1; longest > LeafSize; longest /= 2)
+  for (Index longest = this->size(), count = 1; longest > PointsPerLeaf; longest /= 2)
   {
     nodes += count;
     count *= 2;
@@ -74,7 +74,7 @@ void PointTree::split(Index node, Index first, Index last, const Run& run)
 {
   // Smaller ranges are split in a short time, and are not reported
   constexpr Index sizeToReport = 1 << 12;
-  if (last - first <= LeafSize)
+  if (last - first <= PointsPerLeaf)
   {
     return;
   }
@@ -116,7 +116,7 @@ void PointTree::search(
       found.replaceFarthest(neighbor);
     }
   };
-  if (last - first <= LeafSize)
+  if (last - first <= PointsPerLeaf)
   {
     for (Index i = first; i < last; ++i)
     {

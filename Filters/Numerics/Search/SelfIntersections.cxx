@@ -9,8 +9,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
-
 bool overlap(const Box& a, const Box& b)
 {
   return (a.Lower.array() <= b.Upper.array()).all() && (b.Lower.array() <= a.Upper.array()).all();
@@ -64,7 +62,7 @@ public:
     {
       this->IsInTree[triangle] = 1;
     }
-    forBlocks(run, static_cast<Index>(inTree.size()), BlockSize,
+    forBlocks(run, static_cast<Index>(inTree.size()), HeavyBlock,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -160,14 +158,14 @@ std::vector<std::array<int, 2>> selfIntersections(const Points& positions,
   }
   const Search search(positions, triangles, chosen, run);
   std::vector<std::vector<std::array<int, 2>>> blocks(
-    (triangles.rows() + BlockSize - 1) / BlockSize);
-  forBlocksReporting(run, triangles.rows(), BlockSize,
+    (triangles.rows() + HeavyBlock - 1) / HeavyBlock);
+  forBlocksReporting(run, triangles.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       std::vector<int> open;
       for (Index f = begin; f < end; ++f)
       {
-        search.find(static_cast<int>(f), blocks[begin / BlockSize], open);
+        search.find(static_cast<int>(f), blocks[begin / HeavyBlock], open);
       }
     });
   for (const auto& block : blocks)

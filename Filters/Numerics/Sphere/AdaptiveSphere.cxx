@@ -19,7 +19,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
 constexpr double MinimumRadius = 1e-7; // minimum circumradius of a triangle to divide
 // Minimum density, divided by the mean density, so that target sizes are finite
 constexpr double MinimumDensity = 1e-9;
@@ -31,7 +30,7 @@ constexpr int SmoothingTries = 3;     // number of tries, each with half the ste
 constexpr double LargeEdge = 0.01;
 // Squared sine of the minimum angle below which a triangle has no plane
 constexpr double FlatSquaredSine = 1e-6;
-constexpr double Rounding = 1e-9;
+constexpr double LeastGain = 1e-9;
 constexpr int ReportEvery = 1024; // points
 
 double squaredSine(double degrees)
@@ -152,7 +151,7 @@ public:
   {
     for (const std::vector<int>& color : this->colors())
     {
-      forBlocks(run, static_cast<Index>(color.size()), BlockSize,
+      forBlocks(run, static_cast<Index>(color.size()), HeavyBlock,
         [&](Index begin, Index end)
         {
           for (Index i = begin; i < end; ++i)
@@ -161,7 +160,7 @@ public:
           }
         });
     }
-    forBlocksReporting(run, static_cast<Index>(this->Positions.size()), BlockSize,
+    forBlocksReporting(run, static_cast<Index>(this->Positions.size()), HeavyBlock,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -461,12 +460,12 @@ private:
     if (this->IsRefining && isLarge && before > FlatSquaredSine)
     {
       const Vector3 normal = (pb - pa).cross(pc - pa);
-      if (!(after > 0.0) || normal.dot(pd - pa) <= Rounding * normal.norm())
+      if (!(after > 0.0) || normal.dot(pd - pa) <= LeastGain * normal.norm())
       {
         return false;
       }
     }
-    else if (after <= before * (1.0 + Rounding))
+    else if (after <= before * (1.0 + LeastGain))
     {
       return false;
     }

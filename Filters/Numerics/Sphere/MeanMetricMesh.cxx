@@ -20,7 +20,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
 // Measured on maps of four-legged animals: later rounds change neither angles nor folds.
 constexpr int NumberOfRounds = 5;
 // Bounds of the side lengths, divided by the target length: a split or a collapse brings a side of
@@ -32,8 +31,8 @@ constexpr double ShortestSplit = 0.4;
 // Minimum area of a triangle of the sphere, divided by the square of its longest side. Flatter
 // triangles are not made, since rounding of positions could turn them over.
 constexpr double MinimumFlatness = 1e-7;
-constexpr double Rounding = 1e-6;  // minimum gain of a flip
-constexpr double Tolerance = 0.01; // relative deviation from the target number of points
+constexpr double LeastChange = 1e-6; // minimum gain of a flip
+constexpr double Tolerance = 0.01;   // relative deviation from the target number of points
 
 // Points of all surfaces with one direction: 3 coordinates for each surface.
 using Coordinates = Eigen::VectorXd;
@@ -77,7 +76,7 @@ public:
     {
       this->Places[v] = start.Positions.row(static_cast<Index>(v));
     }
-    forBlocks(run, start.Positions.rows(), BlockSize,
+    forBlocks(run, start.Positions.rows(), HeavyBlock,
       [&](Index begin, Index end)
       {
         for (Index v = begin; v < end; ++v)
@@ -478,7 +477,7 @@ private:
     const double before = cotangent(ac, bc, ab) + cotangent(ad, bd, ab);
     const double after = cotangent(ac, ad, cd) + cotangent(bc, bd, cd);
     const int foldsBefore = this->folds(a, b, c, d), foldsAfter = this->folds(c, d, b, a);
-    const bool isDelaunay = !(before < -Rounding && after > before + Rounding);
+    const bool isDelaunay = !(before < -LeastChange && after > before + LeastChange);
     if (foldsAfter > foldsBefore || (foldsAfter == foldsBefore && isDelaunay))
     {
       return Flip::None;
@@ -559,7 +558,7 @@ private:
     Index done = 0;
     for (const std::vector<int>& color : colors)
     {
-      forBlocks(run, static_cast<Index>(color.size()), BlockSize,
+      forBlocks(run, static_cast<Index>(color.size()), HeavyBlock,
         [&](Index begin, Index end)
         {
           for (Index i = begin; i < end; ++i)

@@ -12,7 +12,7 @@ namespace conformal
 {
 namespace
 {
-constexpr int MaximumSteps = 100;
+constexpr int CenteringSteps = 100;
 }
 
 //------------------------------------------------------------------------------
@@ -72,7 +72,7 @@ MoebiusTransform centeringTransform(const Points& spherePositions, const Eigen::
   const double total = weights.sum();
   MoebiusTransform transform, best;
   double minimum = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < MaximumSteps; ++i)
+  for (int i = 0; i < CenteringSteps; ++i)
   {
     Vector3 mean = Vector3::Zero();
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();

@@ -12,7 +12,6 @@ namespace conformal
 Points resample(const Points& spherePositions, const Points& values, const Triangles& triangles,
   const Points& directions, const Run& run)
 {
-  constexpr Index BlockSize = 512;
   Steps steps(run, { 0.1, 0.7, 0.2 }); // cover, locator, values
   steps.next();
   Points sphere = spherePositions;
@@ -30,7 +29,7 @@ Points resample(const Points& spherePositions, const Points& values, const Trian
   }
   const SphereLocator locator(sphere, triangles, steps.next());
   Points resampled(directions.rows(), 3);
-  forBlocksReporting(steps.next(), directions.rows(), BlockSize,
+  forBlocksReporting(steps.next(), directions.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -16,7 +16,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 512;
 constexpr double MinimumArea = 1e-24; // of the sphere, around a vertex
 
 /// Compute a third of the area of the triangles around each vertex.
@@ -44,7 +43,7 @@ std::vector<double> densitiesOf(const SphereDensity& density, const Run& run)
     throw std::invalid_argument("a density needs directions, and an area for each of them");
   }
   std::vector<double> densities(density.Directions.rows());
-  forBlocksReporting(run, density.Directions.rows(), BlockSize,
+  forBlocksReporting(run, density.Directions.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)

@@ -12,7 +12,7 @@ namespace conformal
 {
 namespace
 {
-constexpr int Rounds = 14;
+constexpr int MaximumRounds = 14;
 constexpr int KernelPasses = 5;
 constexpr int SweepsAfter = 15;
 
@@ -371,7 +371,7 @@ bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Tr
   double minimumHeight, const Run& run)
 {
   Repair repair(positions, points, triangles, strings, rings, minimumHeight);
-  for (int round = 0; round < Rounds; ++round)
+  for (int round = 0; round < MaximumRounds; ++round)
   {
     const std::vector<int> bad = badTriangles(positions, triangles);
     if (bad.empty())
@@ -389,7 +389,7 @@ bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Tr
       {
         relaxVertices(positions, patches[i], rings, shapes, AnglesOnly, SweepsAfter);
       }
-      run.report((round + static_cast<double>(i) / patches.size()) / Rounds);
+      run.report((round + static_cast<double>(i) / patches.size()) / MaximumRounds);
     }
   }
   for (const int around : LimbRings)

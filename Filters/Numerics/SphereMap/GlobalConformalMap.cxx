@@ -75,7 +75,7 @@ Points progressive(const Mesh& mesh, double minimumBalance, const Run& run)
 }
 
 // Rotate to the best agreement with directions from the center of the surface.
-void turn(Points& positions, const Mesh& mesh)
+void turnToMesh(Points& positions, const Mesh& mesh)
 {
   const Eigen::VectorXd areas = vertexAreas(mesh.Positions, mesh.Triangles);
   const Eigen::RowVector3d middle = areas.transpose() * mesh.Positions / areas.sum();
@@ -102,7 +102,7 @@ void mapRobustly(
     result.Positions = progressive(mesh, areaBalance, run.part(conformal ? 0.95 : 0.0, 1.0));
     result.Converged = true;
   }
-  turn(result.Positions, mesh);
+  turnToMesh(result.Positions, mesh);
 }
 }
 

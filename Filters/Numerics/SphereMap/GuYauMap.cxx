@@ -13,7 +13,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1 << 11;
 constexpr double ShortestStep = 1e-6; // minimum time step, divided by the initial time step
 
 // Compute vertex normals. If a normal is undefined, use the direction from the center of the
@@ -68,10 +67,11 @@ private:
   std::vector<double> Logarithms;
 };
 
-class Descent
+class GuYauDescent
 {
 public:
-  Descent(Points& map, const Eigen::VectorXd& areas, const GuYauOptions& options, const Run& run)
+  GuYauDescent(
+    Points& map, const Eigen::VectorXd& areas, const GuYauOptions& options, const Run& run)
     : Map(map)
     , Areas(areas)
     , Options(options)
@@ -129,7 +129,7 @@ private:
 
   void move(const EdgeWeights& strings, double step, Points& next) const
   {
-    forBlocks(this->Threads, this->Map.rows(), BlockSize,
+    forBlocks(this->Threads, this->Map.rows(), LightBlock,
       [&](Index begin, Index end)
       {
         for (Index v = begin; v < end; ++v)
@@ -175,7 +175,7 @@ GuYauResult mapByGuYau(const Mesh& mesh, const GuYauOptions& options, const Run&
   result.NumberOfInfiniteStringConstants = harmonic.NumberOfInfinite;
   result.Positions = gaussMap(points, triangles);
   const Eigen::VectorXd areas = vertexAreas(points, triangles);
-  Descent descent(result.Positions, areas, options, run);
+  GuYauDescent descent(result.Positions, areas, options, run);
   // The second descent starts near its end, and its cost varies between almost none and that of the
   // first.
   Steps steps(run, { 2.0, 1.0 });

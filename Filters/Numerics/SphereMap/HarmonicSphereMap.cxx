@@ -62,11 +62,11 @@ struct Half
   const std::vector<int>& MirrorIds; // of the double
 };
 
-class Mapper
+class HarmonicMapper
 {
 public:
   // With `half`, the surface is the double of a sheet, and its map is symmetric.
-  Mapper(
+  HarmonicMapper(
     const Points& places, const Triangles& triangles, const Run& run, const Half* half = nullptr)
     : Sheet(half)
     , Places(places)
@@ -397,7 +397,7 @@ HarmonicSphereMap mapHarmonically(const Mesh& mesh, const Run& run)
   const Triangles& triangles = mesh.Triangles;
   Steps steps(run, { 0.06, 0.84, 0.1 }); // tables, first attempt, rare second attempt
   steps.next();
-  const Mapper mapper(points, triangles, run);
+  const HarmonicMapper mapper(points, triangles, run);
   return mapper.run(steps);
 }
 
@@ -409,7 +409,7 @@ HarmonicSphereMap mapSheetHarmonically(
   steps.next();
   const DoubledSheet whole = doubled(sheet, border);
   const Half half{ sheet, border, whole.MirrorIds };
-  const Mapper mapper(whole.Positions, whole.Triangles, run, &half);
+  const HarmonicMapper mapper(whole.Positions, whole.Triangles, run, &half);
   HarmonicSphereMap map = mapper.run(steps);
   if (map.Positions.rows() > 0)
   {

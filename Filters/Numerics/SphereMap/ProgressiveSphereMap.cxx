@@ -77,10 +77,10 @@ SphereEnergy smoothing(SphereEnergy energy)
   return energy;
 }
 
-class Mapper
+class ProgressiveMapper
 {
 public:
-  Mapper(const Points& places, const Triangles& triangles,
+  ProgressiveMapper(const Points& places, const Triangles& triangles,
     const ProgressiveSphereMapOptions& options, const Run& run)
     : NoPlaces(Points::Zero(options.ConnectivityFirst ? places.rows() : 0, 3))
     , FinalShapes(places, triangles)
@@ -357,7 +357,7 @@ ProgressiveSphereMapResult mapToSphere(
       "two triangles back to back enclose nothing and have no map to the sphere");
   }
   const Points places = inUnitBox(points);
-  Mapper mapper(places, triangles, options, run);
+  ProgressiveMapper mapper(places, triangles, options, run);
   ProgressiveSphereMapResult result = mapper.run();
   result.NumberOfFlippedTriangles = countFlippedTriangles(result.Positions, triangles);
   run.report(1.0);

@@ -23,7 +23,7 @@ namespace
 using Complex = std::complex<double>;
 using Plane = Eigen::VectorXcd;
 
-constexpr Index BlockSize = 1 << 12;
+constexpr Index TrianglesPerMatrix = 1 << 12;
 constexpr int MaximumPowers = 5;
 // Fraction of the vertices, the outermost ones, that belong to the cap around the puncture
 constexpr double CapShare = 0.35;
@@ -90,14 +90,14 @@ public:
     // Unused powers get coefficients of 0.
     using Matrix = Eigen::Matrix<Complex, MaximumPowers, MaximumPowers>;
     using Vector = Eigen::Matrix<Complex, MaximumPowers, 1>;
-    const Index blocks = (this->Triangles.rows() + BlockSize - 1) / BlockSize;
+    const Index blocks = (this->Triangles.rows() + TrianglesPerMatrix - 1) / TrianglesPerMatrix;
     std::vector<Matrix> matrices(blocks, Matrix::Zero());
     std::vector<Vector> sides(blocks, Vector::Zero());
-    forBlocks(this->Threads, this->Triangles.rows(), BlockSize,
+    forBlocks(this->Threads, this->Triangles.rows(), TrianglesPerMatrix,
       [&](Index begin, Index end)
       {
-        Matrix& matrix = matrices[begin / BlockSize];
-        Vector& side = sides[begin / BlockSize];
+        Matrix& matrix = matrices[begin / TrianglesPerMatrix];
+        Vector& side = sides[begin / TrianglesPerMatrix];
         for (Index r = begin; r < end; ++r)
         {
           const auto [z, weight, wanted] = this->beltrami(r);

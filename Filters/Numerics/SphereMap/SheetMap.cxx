@@ -17,7 +17,7 @@ namespace
 {
 // Rotate about the axis z, so that the disk agrees best with the sheet seen against its mean
 // normal, with the direction x to the right.
-void turn(Points& positions, const Mesh& sheet)
+void turnToSheet(Points& positions, const Mesh& sheet)
 {
   Vector3 normal = Vector3::Zero();
   for (Index f = 0; f < sheet.Triangles.rows(); ++f)
@@ -110,7 +110,7 @@ SheetMapResult mapSheet(const Mesh& sheet, const Run& run)
   result.NumberOfSolves = map.NumberOfSolves;
   result.Repaired = map.Repaired;
   result.Positions = map.Positions.topRows(sheet.Positions.rows());
-  turn(result.Positions, unit);
+  turnToSheet(result.Positions, unit);
   const StringConstants strings = harmonicStrings(unit.Positions, unit.Triangles);
   result.NumberOfNegativeStringConstants = strings.NumberOfNegative;
   result.NumberOfInfiniteStringConstants = strings.NumberOfInfinite;

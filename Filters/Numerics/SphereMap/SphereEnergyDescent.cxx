@@ -19,7 +19,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 512;
+constexpr Index TrianglesPerSum = 512;
 constexpr int Memory = 8;          // number of earlier steps that L-BFGS uses
 constexpr int StepsPerFactor = 10; // number of steps after which the matrix is factored again
 constexpr double MinimumSlope = 1e-4;
@@ -149,13 +149,13 @@ private:
   Evaluation evaluate(const Points& positions)
   {
     Evaluation result;
-    std::vector<double> sums((this->Ids.rows() + BlockSize - 1) / BlockSize, 0.0);
-    forBlocks(this->Threads, this->Ids.rows(), BlockSize,
+    std::vector<double> sums((this->Ids.rows() + TrianglesPerSum - 1) / TrianglesPerSum, 0.0);
+    forBlocks(this->Threads, this->Ids.rows(), TrianglesPerSum,
       [&](Index begin, Index end)
       {
         for (Index r = begin; r < end; ++r)
         {
-          sums[begin / BlockSize] += this->triangleEnergy(positions, r, this->Slopes[r]);
+          sums[begin / TrianglesPerSum] += this->triangleEnergy(positions, r, this->Slopes[r]);
         }
       });
     result.Energy = std::accumulate(sums.begin(), sums.end(), 0.0);
@@ -164,7 +164,7 @@ private:
       return result;
     }
     result.Gradient.resize(positions.rows(), 3);
-    forBlocks(this->Threads, positions.rows(), BlockSize,
+    forBlocks(this->Threads, positions.rows(), TrianglesPerSum,
       [&](Index begin, Index end)
       {
         for (Index v = begin; v < end; ++v)

@@ -9,7 +9,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 1024;
 constexpr double BendOfSide = 0.4; // maximum, in units of the angle of the edge
 
 /// Test the second condition of creaseVertices() for the side of an edge.
@@ -52,7 +51,7 @@ std::vector<unsigned char> creaseVertices(const Points& points, const Triangles&
   const Adjacency& around, const Triangles& across, const Run& run)
 {
   Points normals(triangles.rows(), 3);
-  forBlocks(run, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -64,7 +63,7 @@ std::vector<unsigned char> creaseVertices(const Points& points, const Triangles&
     });
   // Marks of the three edges of each triangle, by the triangle with the smaller id.
   std::vector<unsigned char> sharp(triangles.rows(), 0);
-  forBlocks(run, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

@@ -18,8 +18,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
-
 void requireDifferentiable(const CurvedSeamlessSurface& surface, const char* what)
 {
   if (!surface.differentiable())
@@ -115,7 +113,7 @@ void extrapolateToBorder(
 void copyUnitVectors(const PointView& vectors, const char* what, double* units, const Run& run)
 {
   std::atomic<Index> bad{ vectors.size() }; // index of the first bad vector
-  forBlocks(run, vectors.size(), BlockSize,
+  forBlocks(run, vectors.size(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -479,7 +477,7 @@ void evaluate(const CurvedSeamlessSurface& surface, const PointView& directions,
   {
     requireDifferentiable(surface, "derivative");
   }
-  forBlocksReporting(run, directions.size(), BlockSize,
+  forBlocksReporting(run, directions.size(), HeavyBlock,
     [&](Index begin, Index end)
     {
       CurvedSeamlessSurface::Evaluator evaluator(surface);
@@ -528,7 +526,7 @@ Mesh subdividedNetwork(const CurvedSeamlessSurface& surface, int subdivisions, c
   network.Triangles = surface.triangles().topRows(surface.numberOfTriangles());
   const Index numberOfVertices = network.Positions.rows();
   Mesh fine = subdivide(network, subdivisions, run);
-  forBlocks(run, fine.Positions.rows() - numberOfVertices, BlockSize,
+  forBlocks(run, fine.Positions.rows() - numberOfVertices, HeavyBlock,
     [&](Index begin, Index end)
     { fine.Positions.middleRows(numberOfVertices + begin, end - begin).rowwise().normalize(); });
   return fine;
@@ -546,7 +544,7 @@ void invert(const CurvedSeamlessSurface& surface, const PointView& points, doubl
     }
   }
   const CurvedSeamlessInverse inverse(surface, run);
-  forBlocksReporting(run, points.size(), BlockSize,
+  forBlocksReporting(run, points.size(), HeavyBlock,
     [&](Index begin, Index end)
     {
       CurvedSeamlessSurface::Evaluator evaluator(surface);

@@ -132,8 +132,7 @@ public:
   {
     Unknowns y(x.rows(), 3);
     Eigen::VectorXd bent(x.rows());
-    constexpr Index BlockSize = 1024;
-    forBlocks(run, x.rows(), BlockSize,
+    forBlocks(run, x.rows(), LightBlock,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -150,7 +149,7 @@ public:
           bent[i] = x(i, 0) - ring / std::max(1, this->Neighbors.size(i));
         }
       });
-    forBlocks(run, x.rows(), BlockSize,
+    forBlocks(run, x.rows(), LightBlock,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)

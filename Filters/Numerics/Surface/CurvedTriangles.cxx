@@ -12,7 +12,6 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
 // Length of normals on creases. It is not 0, since the direction is used for shading.
 constexpr double CreaseNormal = 1e-3;
 }
@@ -243,7 +242,7 @@ Points lowerVertices(
   const Points& normals = surface.normals();
   const conformal::Triangles& triangles = surface.triangles();
   std::vector<Domes> domes(triangles.rows());
-  forBlocks(run, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -259,7 +258,7 @@ Points lowerVertices(
   const Index numberOfVertices = normals.rows();
   Eigen::VectorXd residual = Eigen::VectorXd::Zero(numberOfVertices);
   Eigen::VectorXd rowSums = residual;
-  forBlocks(run, numberOfVertices, BlockSize,
+  forBlocks(run, numberOfVertices, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -286,7 +285,7 @@ Points lowerVertices(
   for (int count = 0; count < steps; ++count)
   {
     moves += step;
-    forBlocks(run, numberOfVertices, BlockSize,
+    forBlocks(run, numberOfVertices, HeavyBlock,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -320,7 +319,7 @@ std::vector<unsigned char> flattenFolds(CurvedTriangles& surface, const Run& run
   const int maximumRounds = 20; // afterward, normals have zero length
   for (int round = 0; round < maximumRounds; ++round)
   {
-    forBlocks(run, triangles.rows(), BlockSize,
+    forBlocks(run, triangles.rows(), HeavyBlock,
       [&](Index begin, Index end)
       {
         for (Index r = begin; r < end; ++r)
@@ -357,11 +356,11 @@ NormalJumps measureNormalJumps(
 {
   const conformal::Triangles& triangles = surface.triangles();
   const std::array<double, 5> shares{ 0.1, 0.3, 0.5, 0.7, 0.9 };
-  std::vector<NormalJumps> blocks((triangles.rows() + BlockSize - 1) / BlockSize);
-  forBlocks(run, triangles.rows(), BlockSize,
+  std::vector<NormalJumps> blocks((triangles.rows() + HeavyBlock - 1) / HeavyBlock);
+  forBlocks(run, triangles.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
-      NormalJumps& jumps = blocks[begin / BlockSize];
+      NormalJumps& jumps = blocks[begin / HeavyBlock];
       for (Index r = begin; r < end; ++r)
       {
         for (int k = 0; k < 3; ++k)
@@ -409,7 +408,7 @@ CurvedTriangleTree::CurvedTriangleTree(const CurvedTriangles& surface, const Run
 {
   const Index size = surface.triangles().rows();
   std::vector<Box> boxes(size);
-  forBlocks(run, size, BlockSize,
+  forBlocks(run, size, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -418,7 +417,7 @@ CurvedTriangleTree::CurvedTriangleTree(const CurvedTriangles& surface, const Run
       }
     });
   this->Tree = buildBoxTree(boxes, run.unwatched());
-  forBlocks(run, size, BlockSize,
+  forBlocks(run, size, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index place = begin; place < end; ++place)

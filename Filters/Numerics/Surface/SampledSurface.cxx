@@ -7,11 +7,6 @@
 
 namespace conformal
 {
-namespace
-{
-constexpr Index BlockSize = 4096;
-}
-
 //------------------------------------------------------------------------------
 bool isOrientedInward(
   const PointsIn& positions, const Triangles& triangles, const PointsIn& normals)
@@ -43,7 +38,7 @@ void smoothNormals(const PointsIn& positions, const Triangles& triangles, Points
 //------------------------------------------------------------------------------
 void fillNormals(PointsOut normals, const PointsIn& directions, const Run& run)
 {
-  forBlocks(run, normals.rows(), BlockSize,
+  forBlocks(run, normals.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -73,7 +68,7 @@ void markDegenerate(const CurvedSeamlessSurface& surface, const Triangles& trian
   const Run& run)
 {
   const Index pieces = Index(subdivisions) * subdivisions;
-  forBlocks(run, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

@@ -23,7 +23,6 @@ constexpr double Widening =
 // Part of a pixel's radius within which all points have about equal weights.
 constexpr double Core = 0.5;
 constexpr Index MostSamples = 4; // along a side of a pixel
-constexpr Index BlockSize = 1 << 8;
 
 Points copyOf(const PointView& cloud)
 {
@@ -210,7 +209,7 @@ using Mix = std::function<void(const Vector2& st, PointMixture& mixture, int& hi
 
 void forPixels(const PixelGrid& grid, const Mix& mix, const MixtureSink& sink, const Run& run)
 {
-  forBlocksReporting(run, grid.size(), BlockSize,
+  forBlocksReporting(run, grid.size(), HeavyBlock,
     [&](Index begin, Index end)
     {
       std::vector<PointMixture> mixtures(end - begin);
@@ -328,7 +327,7 @@ Index imageHeightFor(const MappedMesh& surface, const PointView& cloud, const Sp
   const Index count = std::min(cloud.size(), numberOfSamples);
   std::vector<double> heights(count);
   const double ratio = widthPerHeight(image);
-  forBlocksReporting(steps.next(), count, BlockSize,
+  forBlocksReporting(steps.next(), count, HeavyBlock,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> near;

@@ -11,7 +11,6 @@ namespace conformal
 {
 namespace
 {
-const double Radians = Pi / 180.0;
 
 // Substitute for infinity. Its square is finite.
 constexpr double FarAway = 1e100;
@@ -45,7 +44,7 @@ Vector2 planeOf(const Vector3& m)
 // Half the side of the image in the stereographic plane.
 double halfSide(const SphereImage& image)
 {
-  return std::tan(0.25 * image.FieldOfView * Radians);
+  return std::tan(0.25 * image.FieldOfView * Degree);
 }
 
 //------------------------------------------------------------------------------
@@ -53,7 +52,7 @@ double halfSide(const SphereImage& image)
 // contain more than the whole image.
 int stereographicPatch(const Vector3& m)
 {
-  return m[2] >= std::cos(0.5 * MaximumFieldOfView * Radians) ? 0 : 1;
+  return m[2] >= std::cos(0.5 * MaximumFieldOfView * Degree) ? 0 : 1;
 }
 
 Vector2 stereographic(const Vector3& m, const SphereImage& image, int patch)
@@ -297,7 +296,7 @@ std::vector<Borders> bordersInView(SphereProjection projection)
     }
     default:
     {
-      const Eigen::Vector4d farthest(0.0, 0.0, 1.0, -std::cos(0.5 * MaximumFieldOfView * Radians));
+      const Eigen::Vector4d farthest(0.0, 0.0, 1.0, -std::cos(0.5 * MaximumFieldOfView * Degree));
       result = { { farthest }, { -farthest } };
     }
   }

@@ -18,7 +18,6 @@ namespace conformal
 {
 namespace
 {
-const double Radians = Pi / 180.0;
 
 Vector3 directionOf(const Vector3& v, const char* name)
 {
@@ -238,7 +237,7 @@ void alignAxes(SphereView& view, const Points& seen, const Triangles& triangles,
 
 SphereView turned(const SphereView& view, double degrees)
 {
-  const double c = std::cos(degrees * Radians), s = std::sin(degrees * Radians);
+  const double c = std::cos(degrees * Degree), s = std::sin(degrees * Degree);
   SphereView result = view;
   result.Right = c * view.Right + s * view.Up;
   result.Up = c * view.Up - s * view.Right;
@@ -294,7 +293,7 @@ SphereView chooseSphereView(const PointView& points, const Triangles& triangles,
   }
   const Vector3 centroid = areaCentroid(model, triangles);
   model.rowwise() -= centroid.transpose();
-  const double capAngle = options.FieldOfView / 8.0 * Radians;
+  const double capAngle = options.FieldOfView / 8.0 * Degree;
 
   const Run seeking = steps.next();
   Place place;

@@ -240,7 +240,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
   const ClosestPlaces closest(cloud, cloudTriangles, reduce, run.part(0.0, 0.5 * begin));
   const Points wanted = pixelPositions(surface, image, grid, run.part(0.5 * begin, begin));
   // Process chunks of pixels: each is sent to all ranks, and the distances are sent back.
-  constexpr Index ChunkSize = 1 << 18, BlockSize = 1 << 10;
+  constexpr Index ChunkSize = 1 << 18;
   for (Index first = 0; first < grid.size(); first += ChunkSize)
   {
     const Index size = std::min(ChunkSize, grid.size() - first);
@@ -256,7 +256,7 @@ void paintSphericalTexture(const MappedMesh& surface, const PointView& cloud,
     const auto fraction = [&](Index done) {
       return begin + (1.0 - begin) * static_cast<double>(done) / static_cast<double>(grid.size());
     };
-    forBlocksReporting(run.part(fraction(first), fraction(first + size)), size, BlockSize,
+    forBlocksReporting(run.part(fraction(first), fraction(first + size)), size, LightBlock,
       [&](Index firstOf, Index lastOf)
       {
         int hint = -1;

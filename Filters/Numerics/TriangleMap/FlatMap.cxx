@@ -13,7 +13,6 @@ namespace
 // Dilatation above which the affine map is used. Measured: with a smaller limit, more triangles
 // bend; with a larger limit, points concentrate in corners.
 constexpr double MaximumDilatation = 1.5;
-constexpr Index BlockSize = 256;
 
 /// Return the barycentric coordinates of a point on an edge.
 Vector3 pointOfEdge(int edge, const EdgeShares& shares)
@@ -92,7 +91,7 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& tri
   , Order(triangles.rows())
 {
   std::vector<std::array<Edge, 3>> own(this->Slides ? triangles.rows() : 0);
-  forBlocksReporting(run, triangles.rows(), BlockSize,
+  forBlocksReporting(run, triangles.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)
@@ -125,7 +124,7 @@ FlatMap::FlatMap(const Points& sphere, const Points& model, const Triangles& tri
   {
     return;
   }
-  forBlocks(run, triangles.rows(), BlockSize,
+  forBlocks(run, triangles.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index r = begin; r < end; ++r)

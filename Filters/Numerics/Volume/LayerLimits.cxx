@@ -15,7 +15,6 @@ namespace conformal
 namespace
 {
 constexpr double Safety = 0.9;
-constexpr Index BlockSize = 256;
 
 // Radius of the largest ball, up to a maximum, that touches the surface at a vertex and contains no
 // other vertex.
@@ -204,7 +203,7 @@ LayerLimits limitLayers(
   limits.Outward.resize(size);
   Steps steps(run, { 0.05, 0.25, 0.5, 0.2 }); // tree, balls, tests, last test
   const PointTree tree(surface.Positions, steps.next());
-  forBlocksReporting(steps.next(), size, BlockSize,
+  forBlocksReporting(steps.next(), size, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index v = begin; v < end; ++v)

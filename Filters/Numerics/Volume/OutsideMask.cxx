@@ -14,7 +14,7 @@ namespace
 {
 using Mask = std::vector<std::uint8_t>;
 
-constexpr Index BlockSize = Index(1) << 14; // voxels of a block of a short loop
+constexpr Index VoxelsPerBlock = Index(1) << 14; // voxels of a block of a short loop
 
 // Report the progress of a flood of voxels.
 class FloodReports
@@ -125,7 +125,7 @@ void leaveOthersOutside(const VolumeImage& grid, Mask& outside, Mask& object, co
 {
   Steps steps(run, { 0.15, 0.7, 0.15 });
   Mask inside(outside.size());
-  forBlocksReporting(steps.next(), grid.size(), BlockSize,
+  forBlocksReporting(steps.next(), grid.size(), VoxelsPerBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -134,7 +134,7 @@ void leaveOthersOutside(const VolumeImage& grid, Mask& outside, Mask& object, co
       }
     });
   keepLargest(grid, inside, steps.next());
-  forBlocksReporting(steps.next(), grid.size(), BlockSize,
+  forBlocksReporting(steps.next(), grid.size(), VoxelsPerBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -161,7 +161,7 @@ void forVoxels(
   const VolumeImage& volume, const VolumeImage& grid, Index margin, const Run& run, Visit visit)
 {
   const Index length = std::max<Index>(volume.Size[0], 1), rows = volume.Size[1] * volume.Size[2];
-  forBlocksReporting(run, rows, std::max<Index>(BlockSize / length, 1),
+  forBlocksReporting(run, rows, std::max<Index>(VoxelsPerBlock / length, 1),
     [&](Index begin, Index end)
     {
       for (Index row = begin; row < end; ++row)

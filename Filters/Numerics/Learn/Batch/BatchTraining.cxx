@@ -27,7 +27,6 @@ namespace conformal
 namespace
 {
 constexpr int CoarsestFrequency = 4;
-constexpr Index BlockSize = 1024;
 // Smoothness of the fit for noise, in units of the squared ratio of noise to detail. Measured on
 // the scan Igea with Gaussian noise of 0.005: for a ratio of 6, a smoothness of 1 is best.
 constexpr double SmoothnessForNoise = 0.03, LittleNoise = 0.5;
@@ -55,7 +54,7 @@ Points means(
 {
   const double negligible = NegligibleShare * shares.col(0).mean();
   Points moved(weights.rows(), 3);
-  forBlocks(run, moved.rows(), BlockSize,
+  forBlocks(run, moved.rows(), LightBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -164,10 +163,10 @@ struct PassResult
 };
 
 /// Training of one network, in several passes.
-class Level
+class TrainedLevel
 {
 public:
-  Level(const TrainingSamples& samples, const BatchTrainingOptions& options,
+  TrainedLevel(const TrainingSamples& samples, const BatchTrainingOptions& options,
     SampleRotation& rotation, FittedMesh& network, const Run& run)
     : Samples(samples)
     , Options(options)
@@ -282,7 +281,7 @@ FittedMesh learnFromSphere(const TrainingSamples& samples, const BatchTrainingOp
     const bool isFirst = f == levels.front();
     const Run preparing = steps.next();
     refine(result, f, isFirst, preparing.part(0.0, 0.5));
-    Level level(samples, options, rotation, result, preparing.part(0.5, 1.0));
+    TrainedLevel level(samples, options, rotation, result, preparing.part(0.5, 1.0));
     const Run passing = steps.next();
     const double passes = options.PassesPerLevel;
     for (int pass = 0; pass < options.PassesPerLevel; ++pass)

@@ -22,14 +22,14 @@ namespace conformal
 {
 namespace
 {
-constexpr int CoarsestFrequency = 2;
+constexpr int FirstFrequency = 2;
 constexpr int PassesPerLevel =
   20; // by iris and wine: with 5, quantization errors are larger by 5 %
 constexpr Index RowsPerNeuron = 12; // in a pass; if there are fewer rows, all are used
 constexpr Index MinimumNumberOfNeurons = 12;
 
 /// Sums of each neuron: the total weight C of its rows, then the weighted sum S of its rows.
-using Shares = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using NeuronSums = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Change of units: value = Center + Unit * learned value.
 struct ColumnUnits
@@ -208,7 +208,7 @@ FootPoint project(const Level& level, const Adjacency& around, const double* x, 
 }
 
 /// Compute S / C for each neuron. A neuron without rows gets the mean of its neighbors.
-Columns means(const Shares& shares, const Adjacency& neighbors, const Columns& weights)
+Columns means(const NeuronSums& shares, const Adjacency& neighbors, const Columns& weights)
 {
   const double negligible = NegligibleShare * shares.col(0).mean();
   Columns moved(weights.rows(), weights.cols());
@@ -252,7 +252,7 @@ void train(Level& level, const Columns& rows, SampleRotation& rotation, const Ru
           feet[i] = project(level, around, patterns.col(i).data(), closest[i].First);
         }
       });
-    Shares shares = Shares::Zero(neurons, 1 + dimension);
+    NeuronSums shares = NeuronSums::Zero(neurons, 1 + dimension);
     for (Index i = 0; i < patterns.cols(); ++i)
     {
       for (int k = 0; k < 3; ++k)
@@ -338,7 +338,7 @@ SphericalSOMResult learnSphericalSOM(
   const Index wanted = options.NumberOfNeurons > 0
     ? options.NumberOfNeurons
     : static_cast<Index>(5.0 * std::sqrt(static_cast<double>(table.cols())));
-  const std::vector<int> levels = levelsOf(geodesicFrequencyFor(wanted), CoarsestFrequency);
+  const std::vector<int> levels = levelsOf(geodesicFrequencyFor(wanted), FirstFrequency);
   Columns rows = table;
   const ColumnUnits units = normalize(rows, options.Standardize);
   // Progress: axes, then refinement and training of each level, then errors.

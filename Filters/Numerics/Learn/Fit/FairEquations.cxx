@@ -29,7 +29,7 @@ constexpr double MinimumArea = 1e-3;       // around a vertex, of the mean
 
 // Numbers of each triangle: 6 products of weights, 3 products of weights and residuals, the sum of
 // squared residuals, the mass and the count.
-constexpr Index SumsPerTriangle = 12;
+constexpr Index SumsOfFairing = 12;
 
 /// Pseudorandom sign, by the mixing function of SplitMix64.
 double randomSign(std::uint64_t number)
@@ -278,7 +278,7 @@ SampleDistances::SampleDistances(const TrainingSamples& samples, const FairSampl
     scale.add(row.foot(), this->Corners, samples.weight(row.Sample));
   }
   scale.update(neighbors, samples.reduce());
-  FixedPointSums sums(SumsPerTriangle * this->Corners.rows());
+  FixedPointSums sums(SumsOfFairing * this->Corners.rows());
   for (const Row& row : rows)
   {
     const FootPoint foot = row.foot();
@@ -289,7 +289,7 @@ SampleDistances::SampleDistances(const TrainingSamples& samples, const FairSampl
     const Vector3 weights = weightsAt(this->Corners.row(row.Triangle), foot.Barycentric, normals);
     const double residual = row.Residual;
     const double weight = samples.weight(row.Sample);
-    Index place = SumsPerTriangle * row.Triangle;
+    Index place = SumsOfFairing * row.Triangle;
     for (int k = 0; k < 3; ++k)
     {
       for (int l = k; l < 3; ++l)
@@ -306,7 +306,7 @@ SampleDistances::SampleDistances(const TrainingSamples& samples, const FairSampl
   for (Index r = 0; r < this->Corners.rows(); ++r)
   {
     OfTriangle& own = this->Sums[r];
-    Index place = SumsPerTriangle * r;
+    Index place = SumsOfFairing * r;
     for (int k = 0; k < 3; ++k)
     {
       for (int l = k; l < 3; ++l)

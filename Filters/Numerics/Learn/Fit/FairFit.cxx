@@ -40,7 +40,7 @@ constexpr double MaximumPrecision = 100.0;
 
 // If a triangle is inclined to the normal of a vertex by more than 66 degrees, a move along the
 // normal is not meaningful. The vertex does not move.
-constexpr double MinimumCosine = 0.4;
+constexpr double SharpCosine = 0.4;
 constexpr double AnchorOfSharp = 100.0; // weight of the displacement, in samples of a vertex
 
 constexpr double Ridge = 1e-10; // of the diagonal
@@ -94,7 +94,7 @@ std::vector<bool> sharpVertices(const Mesh& mesh, const Points& normals)
     const Vector3 normal = (b - a).cross(c - a).stableNormalized();
     for (const int id : ids)
     {
-      sharp[id] = sharp[id] || !(normal.dot(Vector3(normals.row(id))) > MinimumCosine);
+      sharp[id] = sharp[id] || !(normal.dot(Vector3(normals.row(id))) > SharpCosine);
     }
   }
   return sharp;

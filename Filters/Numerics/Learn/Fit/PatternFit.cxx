@@ -30,7 +30,7 @@ constexpr double MoveSmoothness = 0.3;
 // Quality of a triangle, 1 if it is equilateral, below which moves must not make it worse.
 constexpr double MinimumQuality = 0.4;
 // Share of the identity that keeps the equations regular if the weights of all samples are tiny.
-constexpr double Ridge = 1e-9;
+constexpr double PatternRidge = 1e-9;
 
 /// Foot point of a sample.
 struct Foot
@@ -106,7 +106,7 @@ public:
     const double mean = diagonal > 0.0 ? diagonal / static_cast<double>(size) : 1.0;
     for (int i = 0; i < size; ++i)
     {
-      entries.emplace_back(i, i, mean * (smoothness * this->Neighbors.size(i) + Ridge));
+      entries.emplace_back(i, i, mean * (smoothness * this->Neighbors.size(i) + PatternRidge));
       for (const int* j = this->Neighbors.begin(i); j != this->Neighbors.end(i); ++j)
       {
         entries.emplace_back(i, *j, -mean * smoothness);

@@ -20,9 +20,8 @@ constexpr double SlidingWeight = 0.02;
 // Steps of conjugate gradients, for few and for many vertices. Measured with 60,000 vertices: more
 // than 8 steps bring the surface no closer to the samples.
 constexpr int NumberOfSteps = 25, StepsOfMany = 10;
-constexpr Index ManyVertices = 20000;
+constexpr Index ManyUnknowns = 20000;
 constexpr double Converged = 1e-12;
-constexpr Index BlockSize = 512;
 
 // For each triangle: products of barycentric weights of foot points inside it, of foot points on
 // its edges, then their residuals.
@@ -129,7 +128,7 @@ public:
   void bend(const Points& x)
   {
     this->Hinges.bend(x, this->Threads);
-    forBlocks(this->Threads, x.rows(), BlockSize,
+    forBlocks(this->Threads, x.rows(), HeavyBlock,
       [&](Index begin, Index end)
       {
         for (Index i = begin; i < end; ++i)
@@ -188,7 +187,7 @@ Points solveSystem(Attraction& attraction, Resistance& resistance, const Run& ru
   const Index size = residual.rows();
   const auto forVertices = [&](const auto& body)
   {
-    forBlocks(run, size, BlockSize,
+    forBlocks(run, size, HeavyBlock,
       [&](Index begin, Index end)
       {
         for (int i = static_cast<int>(begin); i < end; ++i)
@@ -213,7 +212,7 @@ Points solveSystem(Attraction& attraction, Resistance& resistance, const Run& ru
   };
   const LinearMap precondition = [&](const Points& x, Points& y)
   { forVertices([&](int i) { y.row(i) = inverses[i] * Vector3(x.row(i)); }); };
-  const int steps = size > ManyVertices ? StepsOfMany : NumberOfSteps;
+  const int steps = size > ManyUnknowns ? StepsOfMany : NumberOfSteps;
   return conjugateGradients(residual, product, precondition, { steps, Converged }, run);
 }
 }
@@ -263,7 +262,7 @@ Points SurfaceEquations::solve(
   Steps steps(run, { 0.06, 0.01, 0.1, 0.01, 0.02, 0.8 });
   const Index size = weights.rows();
   Attraction attraction(this->Neighbors);
-  forBlocksReporting(steps.next(), size, BlockSize,
+  forBlocksReporting(steps.next(), size, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (int i = static_cast<int>(begin); i < end; ++i)
@@ -313,7 +312,7 @@ Points SurfaceEquations::solve(
     vertexNormals(weights, this->Triangles, this->Around, run), stiffness, evenness, run);
   steps.next();
   resistance.bend(weights);
-  forBlocks(run, size, BlockSize,
+  forBlocks(run, size, HeavyBlock,
     [&](Index begin, Index end)
     {
       for (int i = static_cast<int>(begin); i < end; ++i)

@@ -26,7 +26,6 @@ namespace conformal
 namespace
 {
 constexpr double EvaluatedSamples = 10000.0;
-constexpr Index BlockSize = 256;
 
 // Wide enough that two sides of a surface through one set of samples cancel.
 constexpr double WidthOfSpacing = 1.0, WidthOfNoise = 2.5;
@@ -67,7 +66,7 @@ Feet feetOf(
   Feet feet;
   feet.Normals.resize(points.rows(), 3);
   feet.Offsets.resize(points.rows());
-  forBlocksReporting(steps.next(), points.rows(), BlockSize,
+  forBlocksReporting(steps.next(), points.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       int hint = -1;
@@ -133,7 +132,7 @@ double undersampledFraction(const Points& asked, const std::vector<double>& weig
   }
   const PointTree tree(cloud, run);
   std::vector<std::uint8_t> off(asked.rows(), 0);
-  forBlocks(run, asked.rows(), BlockSize,
+  forBlocks(run, asked.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       for (Index i = begin; i < end; ++i)
@@ -259,8 +258,8 @@ struct OffsetMoments
 OffsetMoments offsetMoments(
   const NeighborsOnSide& neighbors, const Feet& feet, Index size, const Run& run)
 {
-  std::vector<OffsetMoments> sums((size + BlockSize - 1) / BlockSize);
-  forBlocks(run, size, BlockSize,
+  std::vector<OffsetMoments> sums((size + HeavyBlock - 1) / HeavyBlock);
+  forBlocks(run, size, HeavyBlock,
     [&](Index begin, Index end)
     {
       std::vector<double> offsets;
@@ -272,7 +271,7 @@ OffsetMoments offsetMoments(
           {
             offsets.push_back(feet.Offsets[id]);
           }
-          sums[begin / BlockSize].add(offsets);
+          sums[begin / HeavyBlock].add(offsets);
         });
     });
   OffsetMoments all;
@@ -300,13 +299,14 @@ double layerDistance(const Points& asked, const Feet& feet, double near, const R
     return 0.0;
   }
   // Offsets from the triangles of a coarse mesh have two values, too: at corners and inside.
-  std::vector<double> squares((asked.rows() + BlockSize - 1) / BlockSize, 0.0);
-  forBlocks(run, asked.rows(), BlockSize,
+  std::vector<double> squares((asked.rows() + HeavyBlock - 1) / HeavyBlock, 0.0);
+  forBlocks(run, asked.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       neighbors.forEach(begin, end,
-        [&](Index i, const std::vector<int>& ids) {
-          squares[begin / BlockSize] +=
+        [&](Index i, const std::vector<int>& ids)
+        {
+          squares[begin / HeavyBlock] +=
             squareOffQuadric(asked, ids, asked.row(i), feet.Normals.row(i));
         });
     });

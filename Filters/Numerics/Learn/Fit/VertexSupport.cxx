@@ -14,8 +14,7 @@ namespace conformal
 {
 namespace
 {
-constexpr Index BlockSize = 256;
-constexpr Index SamplesPerVertex = 4;
+constexpr Index SamplesOfSupport = 4;
 
 /// Return a smooth step from 1 at 0 to 0 at 1 and beyond, with zero derivatives at both.
 double fall(double x)
@@ -33,7 +32,7 @@ Points normalsAtFeet(const Points& samples, const Points& positions, const Trian
   const std::vector<int> order = mortonOrder(
     samples.rows(), [&](Index i) { return Vector3(0.5 * (samples.row(i).array() + 1.0)); },
     run.unwatched());
-  forBlocksReporting(run, samples.rows(), BlockSize,
+  forBlocksReporting(run, samples.rows(), HeavyBlock,
     [&](Index begin, Index end)
     {
       int hint = -1;
@@ -59,12 +58,12 @@ std::vector<double> supportOfVertices(const TrainingSamples& samples, const Poin
   const Index size = positions.rows();
   Steps steps(run, { 0.1, 0.4, 0.5 }); // tree, feet, distances
   const TriangleTree tree(positions, triangles, steps.next().unwatched());
-  const Points selected = selectedSamples(samples, SamplesPerVertex * size);
+  const Points selected = selectedSamples(samples, SamplesOfSupport * size);
   const Points sides = normalsAtFeet(selected, positions, triangles, tree, steps.next());
   const Points normals = vertexNormals(positions, triangles);
   const SampleSpacing spacing(selected);
   std::vector<double> distances(size), spacings(size), support(size);
-  forBlocksReporting(steps.next(), size, BlockSize,
+  forBlocksReporting(steps.next(), size, HeavyBlock,
     [&](Index begin, Index end)
     {
       std::vector<Neighbor> around;
