@@ -1,4 +1,4 @@
-/// Make point clouds on the unit sphere, for tests.
+/// Make point clouds on the unit sphere, and meshes of spheres, for tests.
 
 #ifndef ConformalTestSpheres_h
 #define ConformalTestSpheres_h
@@ -6,12 +6,31 @@
 #include "Base/Types.h"
 #include "Clouds.h"
 #include "Mesh/GeodesicSphere.h"
+#include "Mesh/Mesh.h"
+#include "Shapes.h"
 
 #include <cmath>
 #include <functional>
 
 namespace spheres
 {
+/// Return a geodesic sphere that is its own map to the sphere.
+inline conformal::MappedMesh mapped(int frequency)
+{
+  conformal::MappedMesh mesh{ conformal::makeGeodesicSphere(frequency), {} };
+  mesh.SpherePositions = mesh.Positions;
+  return mesh;
+}
+
+/// Return a geodesic sphere whose points are moved to place(n), for directions n.
+inline conformal::Mesh shaped(
+  int frequency, const std::function<conformal::Vector3(const conformal::Vector3&)>& place)
+{
+  conformal::Mesh mesh = conformal::makeGeodesicSphere(frequency);
+  mesh.Positions = shapes::over(mesh.Positions, place);
+  return mesh;
+}
+
 /// Return the points of a geodesic sphere that satisfy a condition.
 inline conformal::Points geodesicWhere(
   int frequency, const std::function<bool(const conformal::Vector3&)>& test)

@@ -3,9 +3,15 @@
 #define TextureFixtures_h
 
 #include "Base/Types.h"
+#include "Texture/SphereProjection.h"
 
 namespace fixtures
 {
+constexpr conformal::SphereProjection AllProjections[] = {
+  conformal::SphereProjection::Stereographic, conformal::SphereProjection::LongitudeLatitude,
+  conformal::SphereProjection::Octahedral, conformal::SphereProjection::CubeMap
+};
+
 // Build an egg without symmetry, from directions n.
 inline conformal::Points egg(const conformal::Points& n)
 {

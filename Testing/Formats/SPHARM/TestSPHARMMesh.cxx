@@ -16,7 +16,7 @@ using samples::values;
 
 namespace
 {
-SurfaceResult parse(std::string_view bytes)
+SurfaceResult parsedMesh(std::string_view bytes)
 {
   conformal::ByteReader input(bytes);
   return conformal::parseSPHARMMesh(input);
@@ -39,10 +39,10 @@ void ExpectTetrahedron(const SurfaceResult& result)
   EXPECT_TRUE(result.Data.PointArrays.empty());
 }
 
-void ExpectRefused(
+void ExpectMeshRefused(
   const std::string& bytes, ParseCode code, std::uint64_t line, const std::string& part)
 {
-  const SurfaceResult result = parse(bytes);
+  const SurfaceResult result = parsedMesh(bytes);
   EXPECT_EQ(result.Status.Code, code) << result.Status.text();
   EXPECT_EQ(result.Status.Line, line) << result.Status.text();
   EXPECT_NE(result.Status.Message.find(part), std::string::npos) << result.Status.text();
@@ -55,7 +55,7 @@ TEST(SPHARMMesh, EveryKindOfFileIsRead)
   const CommaLocale locale;
   for (const std::string& file : samples::SPHARMMeshFiles())
   {
-    ExpectTetrahedron(parse(file));
+    ExpectTetrahedron(parsedMesh(file));
     conformal::ByteReader input = samples::InPieces(file);
     ExpectTetrahedron(conformal::parseSPHARMMesh(input));
     EXPECT_TRUE(conformal::looksLikeSPHARMMesh(file));
@@ -64,27 +64,28 @@ TEST(SPHARMMesh, EveryKindOfFileIsRead)
   {
     const std::string& mesh = samples::SPHARMMesh();
     const std::size_t body = mesh.find("POINTS");
-    ExpectTetrahedron(parse(mesh.substr(0, body) + replaced(mesh.substr(body), "\n", end)));
+    ExpectTetrahedron(parsedMesh(mesh.substr(0, body) + replaced(mesh.substr(body), "\n", end)));
   }
-  ExpectTetrahedron(parse(replaced(samples::SPHARMMesh(), "ASCII", "ascii")));
-  ExpectTetrahedron(parse(replaced(samples::SPHARMMesh(), "vtk output", "")));
+  ExpectTetrahedron(parsedMesh(replaced(samples::SPHARMMesh(), "ASCII", "ascii")));
+  ExpectTetrahedron(parsedMesh(replaced(samples::SPHARMMesh(), "vtk output", "")));
 }
 
 TEST(SPHARMMesh, BadFilesAreRefusedWithTheirLine)
 {
   const std::string& mesh = samples::SPHARMMesh();
-  ExpectRefused("", ParseCode::PrematureEnd, 1, "empty");
-  ExpectRefused("hello", ParseCode::UnrecognizedType, 1, "# vtk DataFile Version");
-  ExpectRefused(replaced(mesh, "float", "int"), ParseCode::Malformed, 5, "float or double");
-  ExpectRefused(replaced(mesh, "1.5", "nan"), ParseCode::Malformed, 6, "not finite");
-  ExpectRefused(replaced(mesh, "3 0 1 3", "3 0 1 4"), ParseCode::Malformed, 11, "found id 4");
-  ExpectRefused(
+  ExpectMeshRefused("", ParseCode::PrematureEnd, 1, "empty");
+  ExpectMeshRefused("hello", ParseCode::UnrecognizedType, 1, "# vtk DataFile Version");
+  ExpectMeshRefused(replaced(mesh, "float", "int"), ParseCode::Malformed, 5, "float or double");
+  ExpectMeshRefused(replaced(mesh, "1.5", "nan"), ParseCode::Malformed, 6, "not finite");
+  ExpectMeshRefused(replaced(mesh, "3 0 1 3", "3 0 1 4"), ParseCode::Malformed, 11, "found id 4");
+  ExpectMeshRefused(
     replaced(mesh, "POLYGONS 4 16", "TRIANGLE_STRIPS 4 16"), ParseCode::Malformed, 9, "POLYGONS");
-  ExpectRefused(replaced(mesh, "POINTS 4", "POINTS 4000000000000"), ParseCode::Malformed, 5, "");
-  ExpectRefused(mesh.substr(0, 88), ParseCode::PrematureEnd, 5, "");
+  ExpectMeshRefused(
+    replaced(mesh, "POINTS 4", "POINTS 4000000000000"), ParseCode::Malformed, 5, "");
+  ExpectMeshRefused(mesh.substr(0, 88), ParseCode::PrematureEnd, 5, "");
   for (const std::string& bad : samples::BadSPHARMMeshFiles())
   {
-    EXPECT_FALSE(parse(bad).Status.ok()) << bad;
+    EXPECT_FALSE(parsedMesh(bad).Status.ok()) << bad;
   }
   EXPECT_FALSE(conformal::looksLikeSPHARMMesh(replaced(mesh, "POLYDATA", "STRUCTURED_GRID")));
 }
@@ -107,7 +108,7 @@ TEST(SPHARMMesh, IsReadBackTheSame)
   SurfaceData data = written::tetrahedron(true);
   written::ExpectSame(written::read(conformal::makeSPHARMSurface(data), parseMesh), data, true);
   data.PointArrays.push_back(written::spherePositions());
-  const SurfaceResult sphere = parse(conformal::makeSPHARMSphere(data));
+  const SurfaceResult sphere = parsedMesh(conformal::makeSPHARMSphere(data));
   ASSERT_TRUE(sphere.Status.ok()) << sphere.Status.text();
   EXPECT_EQ(values<double>(sphere.Data.Points), values<double>(data.PointArrays.back()));
   EXPECT_EQ(samples::polygonIds(sphere.Data), samples::polygonIds(data));

@@ -1,46 +1,15 @@
 #include "Textured/TexturedSurface.h"
 
 #include "../../CommaLocale.h"
+#include "TexturedSamples.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
 #include <cstring>
-#include <locale>
-#include <sstream>
-#include <stdexcept>
-#include <utility>
 
-namespace
-{
-conformal::TexturedSurface triangle()
-{
-  conformal::TexturedSurface surface;
-  surface.Positions = { 0, 0, 0, 1.5, 0, 0, 0, 0.1, -2 };
-  surface.TexCoords = { 0, 0, 1, 0.25F, 0.5F, 1 };
-  surface.Corners = { 0, 1, 2 };
-  return surface;
-}
-
-std::uint32_t uint32At(const std::string& bytes, std::size_t offset)
-{
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    value |= std::uint32_t(static_cast<unsigned char>(bytes.at(offset + i))) << 8 * i;
-  }
-  return value;
-}
-
-float floatAt(const std::string& bytes, std::size_t offset)
-{
-  const std::uint32_t bits = uint32At(bytes, offset);
-  float value;
-  std::memcpy(&value, &bits, 4);
-  return value;
-}
-}
+using samples::floatAt;
+using samples::triangle;
+using samples::uint32At;
 
 // OBJ holds texts, PLY doubles.
 // Far from the origin positions count from the middle of the surface, and the node is put there.

@@ -1,6 +1,5 @@
 #include "Body/BodyCoordinates.h"
 
-#include "Mesh/GeodesicSphere.h"
 #include "Mesh/MeshTopology.h"
 #include "Runs.h"
 #include "Search/TriangleTree.h"
@@ -33,9 +32,7 @@ namespace
 // Two lobes and a neck between them, mapped somehow.
 MappedMesh twoLobes(int frequency = 30)
 {
-  MappedMesh body;
-  static_cast<conformal::Mesh&>(body) = conformal::makeGeodesicSphere(frequency);
-  body.SpherePositions = body.Positions;
+  MappedMesh body = spheres::mapped(frequency);
   for (Index v = 0; v < body.Positions.rows(); ++v)
   {
     const Vector3 n = body.Positions.row(v);
@@ -141,9 +138,7 @@ TEST(BodyCoordinates, PutPolesAndMarkerWhereTheyBelong)
 // Also where both poles lie opposite to each other from the beginning.
 TEST(BodyCoordinates, BalanceNorthAndSouth)
 {
-  MappedMesh pear;
-  static_cast<conformal::Mesh&>(pear) = conformal::makeGeodesicSphere(20);
-  pear.SpherePositions = pear.Positions;
+  MappedMesh pear = spheres::mapped(20);
   pear.Positions.array().colwise() *= 1.0 + 0.5 * pear.SpherePositions.col(2).array();
   EXPECT_GT(meanHeight(pear, pear.SpherePositions), 0.1);
   const BodyCoordinates found = findBodyCoordinates(pear);
@@ -154,9 +149,7 @@ TEST(BodyCoordinates, BalanceNorthAndSouth)
 // On a sphere that is its own map they are the usual ones.
 TEST(BodyCoordinates, AreTheUsualOnesOnASphere)
 {
-  MappedMesh sphere;
-  static_cast<conformal::Mesh&>(sphere) = conformal::makeGeodesicSphere(20);
-  sphere.SpherePositions = sphere.Positions;
+  const MappedMesh sphere = spheres::mapped(20);
   const BodyCoordinates found = findBodyCoordinates(sphere);
   EXPECT_LT((found.SpherePositions - sphere.Positions).norm(), 1e-10);
   // A mirrored map, and one seen from inside, say the same.

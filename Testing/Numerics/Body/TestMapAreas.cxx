@@ -3,8 +3,8 @@
 #include "Body/BodyCoordinates.h"
 #include "Capsules.h"
 #include "Mesh/GenusZeroCheck.h"
-#include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -89,9 +89,7 @@ TEST(MapAreas, PixelsOfACapsuleShowEqualAreas)
 // In other projections of a sphere, areas are those of the projection.
 TEST(MapAreas, AreasOfOtherMapsAreKnown)
 {
-  MappedMesh ball;
-  static_cast<conformal::Mesh&>(ball) = conformal::makeGeodesicSphere(60);
-  ball.SpherePositions = ball.Positions;
+  const MappedMesh ball = spheres::mapped(60);
   const MapImage image = { MapProjection::Equirectangular, 0.0, { 72, 36 } };
   const std::vector<double> areas = pixelAreas(ball, image);
   for (Index row = 0; row < 36; ++row)

@@ -1,8 +1,9 @@
 #include "Body/MapImage.h"
 
 #include "Body/BodyCoordinates.h"
-#include "Mesh/GeodesicSphere.h"
+#include "Projections.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +20,11 @@ using conformal::Pi;
 using conformal::Points;
 using conformal::Vector2;
 using conformal::Vector3;
+using projections::Whole;
+using spheres::mapped;
 
 namespace
 {
-const MapProjection All[] = { MapProjection::Equirectangular, MapProjection::LambertAzimuthal,
-  MapProjection::Mollweide, MapProjection::PeirceQuincuncial };
-
 MapImage image(MapProjection projection, Index width, Index height)
 {
   MapImage result;
@@ -32,21 +32,13 @@ MapImage image(MapProjection projection, Index width, Index height)
   result.Grid = { width, height };
   return result;
 }
-
-MappedMesh sphere(int frequency)
-{
-  MappedMesh mesh;
-  static_cast<conformal::Mesh&>(mesh) = conformal::makeGeodesicSphere(frequency);
-  mesh.SpherePositions = mesh.Positions;
-  return mesh;
-}
 }
 
 // On a sphere a pixel shows the direction of its place.
 TEST(MapImage, ShowsTheDirectionOfEachPixel)
 {
-  const MappedMesh body = sphere(20);
-  for (const MapProjection projection : All)
+  const MappedMesh body = mapped(20);
+  for (const MapProjection projection : Whole)
   {
     const MapImage map = image(projection, 60, 40);
     std::vector<int> seen(map.Grid.size(), 0);
@@ -78,7 +70,7 @@ TEST(MapImage, ShowsTheDirectionOfEachPixel)
 // The outline of two disks, or of an ellipse, leaves out as much of the rectangle.
 TEST(MapImage, MarksWhatIsBeyondTheOutline)
 {
-  for (const MapProjection projection : All)
+  for (const MapProjection projection : Whole)
   {
     const MapImage map = image(projection, 600, 300);
     const MapMarks marks = markMap(map, 0.0);
@@ -95,7 +87,7 @@ TEST(MapImage, MarksWhatIsBeyondTheOutline)
 // Every pixel on a line has a line between it and the next one, and lines are all there.
 TEST(MapImage, DrawsLinesWhereTheyAre)
 {
-  for (const MapProjection projection : All)
+  for (const MapProjection projection : Whole)
   {
     const MapImage map = image(projection, 400, 200);
     const MapMarks marks = markMap(map, 30.0);

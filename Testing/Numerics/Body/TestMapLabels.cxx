@@ -2,8 +2,8 @@
 
 #include "Body/BodyCoordinates.h"
 #include "Mesh/GenusZeroCheck.h"
-#include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -20,17 +20,10 @@ using conformal::MapProjection;
 using conformal::measureMapLabels;
 using conformal::Pi;
 using conformal::Vector3;
+using spheres::mapped;
 
 namespace
 {
-MappedMesh sphere(int frequency)
-{
-  MappedMesh mesh;
-  static_cast<conformal::Mesh&>(mesh) = conformal::makeGeodesicSphere(frequency);
-  mesh.SpherePositions = mesh.Positions;
-  return mesh;
-}
-
 // Labels of caps around directions, by the angle from them.
 std::vector<int> paintedCaps(
   const MapImage& image, const std::vector<Vector3>& centers, double angle)
@@ -55,7 +48,7 @@ const MapProjection All[] = { MapProjection::Equirectangular, MapProjection::Lam
 // shrink with the size of pixels.
 TEST(MapLabels, CapsHaveTheirAreaInEveryProjection)
 {
-  const MappedMesh ball = sphere(40);
+  const MappedMesh ball = mapped(40);
   const double angle = 0.35, area = 2.0 * Pi * (1.0 - std::cos(angle)),
                perimeter = 2.0 * Pi * std::sin(angle);
   const std::vector<Vector3> centers = { Vector3(0.3, 0.5, 0.4).normalized(),
@@ -87,7 +80,7 @@ TEST(MapLabels, CapsHaveTheirAreaInEveryProjection)
 // Caps around poles and across seams, where pixels are sheared and oblong.
 TEST(MapLabels, PerimetersAreTrueAtPolesAndSeams)
 {
-  const MappedMesh ball = sphere(32);
+  const MappedMesh ball = mapped(32);
   const double angle = 0.5, perimeter = 2.0 * Pi * std::sin(angle);
   const std::vector<Vector3> centers = { Vector3(0, 0, 1), Vector3(-1, 0, 0),
     Vector3(-0.49, 0.59, 0.64).normalized(), Vector3(0.34, 0, -0.94).normalized() };
@@ -110,7 +103,7 @@ TEST(MapLabels, PerimetersAreTrueAtPolesAndSeams)
 // A label that is cut by the outline has a part of its perimeter there.
 TEST(MapLabels, PerimetersAreTrueAlongOutlines)
 {
-  const MappedMesh ball = sphere(40);
+  const MappedMesh ball = mapped(40);
   for (const MapProjection projection :
     { MapProjection::LambertAzimuthal, MapProjection::Mollweide, MapProjection::Equirectangular })
   {
@@ -134,7 +127,7 @@ TEST(MapLabels, PerimetersAreTrueAlongOutlines)
 
 TEST(MapLabels, AreasAreThoseOfTheBody)
 {
-  MappedMesh body = sphere(24);
+  MappedMesh body = mapped(24);
   body.Positions *= Vector3(3.0, 1.0, 0.7).asDiagonal();
   const MapImage image = { MapProjection::Mollweide, 20.0, { 160, 80 } };
   std::vector<int> labels(image.Grid.size(), 0);
@@ -166,7 +159,7 @@ TEST(MapLabels, AreasAreThoseOfTheBody)
 // A patch that is long on the body, but round on the sphere.
 TEST(MapLabels, ElongationIsThatOnTheBody)
 {
-  MappedMesh body = sphere(30);
+  MappedMesh body = mapped(30);
   body.Positions *= Vector3(1.0, 1.0, 2.5).asDiagonal();
   const MapImage image = { MapProjection::Equirectangular, 0.0, { 400, 200 } };
   const MapLabels result =
@@ -178,7 +171,7 @@ TEST(MapLabels, ElongationIsThatOnTheBody)
 
 TEST(MapLabels, DoNotDependOnThePlaceOfTheBody)
 {
-  MappedMesh body = sphere(12);
+  MappedMesh body = mapped(12);
   body.Positions *= Vector3(3.0, 2.0, 1.0).asDiagonal();
   const MapImage image = { MapProjection::Equirectangular, 0.0, { 120, 60 } };
   const std::vector<int> labels = paintedCaps(image, { Vector3(0.6, 0.8, 0.0) }, 0.3);
@@ -197,7 +190,7 @@ TEST(MapLabels, ReportsWithinLargeTriangles)
 {
   const MapImage image = { MapProjection::Equirectangular, 0.0, { 400, 200 } };
   std::vector<double> reports = { 0.0 };
-  measureMapLabels(sphere(1), image, paintedCaps(image, { Vector3(1, 0, 0) }, 0.3),
+  measureMapLabels(mapped(1), image, paintedCaps(image, { Vector3(1, 0, 0) }, 0.3),
     conformal::Run({},
       [&](double fraction)
       {
@@ -214,7 +207,7 @@ TEST(MapLabels, ReportsWithinLargeTriangles)
 
 TEST(MapLabels, LabelsBehindALineAreNeighbors)
 {
-  const MappedMesh ball = sphere(10);
+  const MappedMesh ball = mapped(10);
   const MapImage image = { MapProjection::Equirectangular, 0.0, { 40, 20 } };
   std::vector<int> labels(800, 0);
   for (Index p = 0; p < 800; ++p)
@@ -234,7 +227,7 @@ TEST(MapLabels, LabelsBehindALineAreNeighbors)
 
 TEST(MapLabels, SameBitsOnAnyThreadsAndStops)
 {
-  const MappedMesh ball = sphere(12);
+  const MappedMesh ball = mapped(12);
   const MapImage image = { MapProjection::LambertAzimuthal, 0.0, { 80, 40 } };
   const std::vector<int> labels = paintedCaps(image, { Vector3(0, 0.6, 0.8) }, 0.7);
   const MapLabels one = measureMapLabels(ball, image, labels),

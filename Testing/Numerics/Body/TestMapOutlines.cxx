@@ -3,8 +3,8 @@
 #include "Body/BodyCoordinates.h"
 #include "Capsules.h"
 #include "Mesh/GenusZeroCheck.h"
-#include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -23,18 +23,11 @@ using conformal::Pi;
 using conformal::SurfaceOutline;
 using conformal::Vector2;
 using conformal::Vector3;
+using spheres::mapped;
 
 namespace
 {
 constexpr double Degree = Pi / 180.0;
-
-MappedMesh sphere(int frequency)
-{
-  MappedMesh mesh;
-  static_cast<conformal::Mesh&>(mesh) = conformal::makeGeodesicSphere(frequency);
-  mesh.SpherePositions = mesh.Positions;
-  return mesh;
-}
 
 SurfaceOutline measured(
   const MappedMesh& body, const MapImage& image, std::vector<Vector2> corners, bool isClosed)
@@ -64,7 +57,7 @@ TEST(MapOutlines, LinesAndRectanglesOfTheSphereConverge)
   int level = 0;
   for (const int frequency : { 15, 30, 60 })
   {
-    const MappedMesh ball = sphere(frequency);
+    const MappedMesh ball = mapped(frequency);
     const auto results = measureMapOutlines(ball, Degrees,
       { { { place(-180, 0), place(180, 0) }, false },   // equator
         { { place(20, -90), place(20, 90) }, false },   // meridian
@@ -91,7 +84,7 @@ TEST(MapOutlines, LinesAndRectanglesOfTheSphereConverge)
 // of latitudes over the cosine. The map is conformal, so that angles are those of the image.
 TEST(MapOutlines, RhumbLinesAndAnglesAreKnown)
 {
-  const MappedMesh ball = sphere(50);
+  const MappedMesh ball = mapped(50);
   const MapImage image = { MapProjection::Mercator, 0.0, { 1000, 1000 } };
   const double high = mercator(65.0), low = mercator(-30.0), across = 400.0;
   const auto line = measured(ball, image, { { 300.0, low }, { 300.0 + across, high } }, false);
@@ -136,7 +129,7 @@ TEST(MapOutlines, RhumbLinesAndAnglesAreKnown)
 // from its angles.
 TEST(MapOutlines, AreaOfASphericalTriangleIsItsExcess)
 {
-  const MappedMesh ball = sphere(30);
+  const MappedMesh ball = mapped(30);
   const Vector3 corners[] = { Vector3(1, -0.3, 0.2).normalized(), Vector3(0.6, 1, 0.1).normalized(),
     Vector3(0.4, 0.2, 1).normalized() };
   for (const MapProjection projection :
@@ -202,7 +195,7 @@ TEST(MapOutlines, CylindersAreTrueToScale)
 // A spheroid whose map is that of a sphere: a zone of it has a known area.
 TEST(MapOutlines, AreasAreThoseOfTheBody)
 {
-  MappedMesh body = sphere(30);
+  MappedMesh body = mapped(30);
   const double a = 2.5;
   body.Positions.col(2) *= a;
   const auto zone = measured(
@@ -224,7 +217,7 @@ TEST(MapOutlines, AreasAreThoseOfTheBody)
 
 TEST(MapOutlines, DoNotDependOnThePlaceOfTheBody)
 {
-  MappedMesh body = sphere(12);
+  MappedMesh body = mapped(12);
   const std::vector<Vector2> square = { place(10, 10), place(30, 10), place(30, 30),
     place(10, 30) };
   const SurfaceOutline here = measured(body, Degrees, square, true);
@@ -243,7 +236,7 @@ TEST(MapOutlines, DoNotDependOnThePlaceOfTheBody)
 // meridian.
 TEST(MapOutlines, OutlinesContinueBeyondTheSides)
 {
-  const MappedMesh ball = sphere(20);
+  const MappedMesh ball = mapped(20);
   const std::vector<Vector2> middle = { { 160, 70 }, { 210, 75 }, { 190, 120 } };
   std::vector<Vector2> right = middle, left = middle;
   for (int k = 0; k < 3; ++k)
@@ -265,7 +258,7 @@ TEST(MapOutlines, OutlinesContinueBeyondTheSides)
 
 TEST(MapOutlines, OutlinesThatLeaveTheMapHaveNoMeasures)
 {
-  const MappedMesh ball = sphere(10);
+  const MappedMesh ball = mapped(10);
   const MapImage disks = { MapProjection::LambertAzimuthal, 0.0, { 200, 100 } };
   const auto across = measured(ball, disks, { { 60, 70 }, { 140, 70 } }, false);
   EXPECT_FALSE(across.IsOnMap);
@@ -281,14 +274,14 @@ TEST(MapOutlines, OutlinesThatLeaveTheMapHaveNoMeasures)
 
 TEST(MapOutlines, RefusesASurfaceWithAPointThatIsNotFinite)
 {
-  MappedMesh ball = sphere(10);
+  MappedMesh ball = mapped(10);
   ball.Positions(100, 1) = -std::numeric_limits<double>::infinity();
   EXPECT_THROW(measured(ball, Degrees, { { 100, 90 }, { 120, 90 } }, false), std::invalid_argument);
 }
 
 TEST(MapOutlines, SameBitsOnAnyThreadsAndStops)
 {
-  const MappedMesh ball = sphere(12);
+  const MappedMesh ball = mapped(12);
   std::vector<MapOutline> outlines;
   for (int i = 0; i < 9; ++i)
   {

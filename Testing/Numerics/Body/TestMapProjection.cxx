@@ -1,5 +1,6 @@
 #include "Body/MapProjection.h"
 
+#include "Projections.h"
 #include "Spheres.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +16,10 @@ using conformal::Points;
 using conformal::sphereToMap;
 using conformal::Vector2;
 using conformal::Vector3;
+using projections::Whole;
 
 namespace
 {
-const MapProjection All[] = { MapProjection::Equirectangular, MapProjection::LambertAzimuthal,
-  MapProjection::Mollweide, MapProjection::PeirceQuincuncial };
-
 // Directions all over the sphere, and those at which formulas are delicate.
 Points directions()
 {
@@ -58,7 +57,7 @@ void derivatives(const Vector3& n, MapProjection projection, Vector2& east, Vect
 TEST(MapProjection, ComesBackFromTheMap)
 {
   const Points all = directions();
-  for (const MapProjection projection : All)
+  for (const MapProjection projection : Whole)
   {
     for (const double central : { 0.0, 77.0, -180.0 })
     {
@@ -87,22 +86,23 @@ TEST(MapProjection, ComesBackFromTheMap)
 
 TEST(MapProjection, KnowsThePolesAndTheCentralMeridian)
 {
-  const double tolerance = 1e-14, root = std::sqrt(2.0), corner = halfSizeOfMap(All[3])[0];
+  const double tolerance = 1e-14, root = std::sqrt(2.0), corner = halfSizeOfMap(Whole[3])[0];
   const Vector3 north(0, 0, 1), south(0, 0, -1), zero(1, 0, 0), east(0, 1, 0);
-  EXPECT_LT((sphereToMap(east, All[0], 0.0) - Vector2(90, 0)).norm(), 1e-12);
-  EXPECT_LT((sphereToMap(east, All[0], 90.0) - Vector2(0, 0)).norm(), 1e-12);
-  EXPECT_EQ(sphereToMap(north, All[0], 0.0)[1], 90.0);
-  EXPECT_LT((sphereToMap(north, All[1], 0.0) - Vector2(-root, 0)).norm(), tolerance);
-  EXPECT_LT((sphereToMap(south, All[1], 0.0) - Vector2(root, 0)).norm(), tolerance);
-  EXPECT_LT((sphereToMap(zero, All[1], 0.0) - Vector2(-root, -root)).norm(), tolerance);
-  EXPECT_LT((sphereToMap(east, All[1], 0.0) - Vector2(0.0, 0.0)).norm(), tolerance);
-  EXPECT_LT((sphereToMap(Vector3(1, 0, -1e-16), All[1], 0.0) - Vector2(root, -root)).norm(), 1e-14);
-  EXPECT_LT((sphereToMap(north, All[2], 0.0) - Vector2(0, root)).norm(), tolerance);
-  EXPECT_LT((sphereToMap(east, All[2], 0.0) - Vector2(root, 0)).norm(), tolerance);
-  EXPECT_LT(sphereToMap(north, All[3], 0.0).norm(), tolerance);
-  EXPECT_LT((sphereToMap(south, All[3], 0.0).cwiseAbs() - Vector2(corner, corner)).norm(), 1e-13);
-  EXPECT_LT((sphereToMap(zero, All[3], 0.0) - Vector2(0, -corner)).norm(), 1e-7);
-  EXPECT_LT((sphereToMap(east, All[3], 0.0) - Vector2(corner, 0)).norm(), 1e-7);
+  EXPECT_LT((sphereToMap(east, Whole[0], 0.0) - Vector2(90, 0)).norm(), 1e-12);
+  EXPECT_LT((sphereToMap(east, Whole[0], 90.0) - Vector2(0, 0)).norm(), 1e-12);
+  EXPECT_EQ(sphereToMap(north, Whole[0], 0.0)[1], 90.0);
+  EXPECT_LT((sphereToMap(north, Whole[1], 0.0) - Vector2(-root, 0)).norm(), tolerance);
+  EXPECT_LT((sphereToMap(south, Whole[1], 0.0) - Vector2(root, 0)).norm(), tolerance);
+  EXPECT_LT((sphereToMap(zero, Whole[1], 0.0) - Vector2(-root, -root)).norm(), tolerance);
+  EXPECT_LT((sphereToMap(east, Whole[1], 0.0) - Vector2(0.0, 0.0)).norm(), tolerance);
+  EXPECT_LT(
+    (sphereToMap(Vector3(1, 0, -1e-16), Whole[1], 0.0) - Vector2(root, -root)).norm(), 1e-14);
+  EXPECT_LT((sphereToMap(north, Whole[2], 0.0) - Vector2(0, root)).norm(), tolerance);
+  EXPECT_LT((sphereToMap(east, Whole[2], 0.0) - Vector2(root, 0)).norm(), tolerance);
+  EXPECT_LT(sphereToMap(north, Whole[3], 0.0).norm(), tolerance);
+  EXPECT_LT((sphereToMap(south, Whole[3], 0.0).cwiseAbs() - Vector2(corner, corner)).norm(), 1e-13);
+  EXPECT_LT((sphereToMap(zero, Whole[3], 0.0) - Vector2(0, -corner)).norm(), 1e-7);
+  EXPECT_LT((sphereToMap(east, Whole[3], 0.0) - Vector2(corner, 0)).norm(), 1e-7);
   EXPECT_NEAR(corner, 2.62205755429211981, 1e-15); // half of the lemniscate
 }
 
@@ -234,11 +234,11 @@ TEST(MapProjection, TheCapsuleOfASphereIsLambertsMap)
 TEST(MapProjection, HasNothingBeyondItsOutline)
 {
   Vector3 n(7, 7, 7);
-  EXPECT_FALSE(mapToSphere({ 181, 0 }, All[0], 0.0, n));
-  EXPECT_FALSE(mapToSphere({ 0.0, 1.4 }, All[1], 0.0, n));
-  EXPECT_FALSE(mapToSphere({ 2.5, 1.2 }, All[2], 0.0, n));
-  EXPECT_FALSE(mapToSphere({ 0.0, 1.5 }, All[2], 0.0, n));
-  EXPECT_FALSE(mapToSphere({ 2.7, 0.0 }, All[3], 0.0, n));
+  EXPECT_FALSE(mapToSphere({ 181, 0 }, Whole[0], 0.0, n));
+  EXPECT_FALSE(mapToSphere({ 0.0, 1.4 }, Whole[1], 0.0, n));
+  EXPECT_FALSE(mapToSphere({ 2.5, 1.2 }, Whole[2], 0.0, n));
+  EXPECT_FALSE(mapToSphere({ 0.0, 1.5 }, Whole[2], 0.0, n));
+  EXPECT_FALSE(mapToSphere({ 2.7, 0.0 }, Whole[3], 0.0, n));
   EXPECT_FALSE(mapToSphere({ 0.0, 3.2 }, MapProjection::Mercator, 0.0, n));
   EXPECT_FALSE(mapToSphere({ 3.2, 0.0 }, MapProjection::Capsule, 0.0, n, 3.0));
   EXPECT_FALSE(mapToSphere({ 1.5, 3.4 }, MapProjection::Capsule, 0.0, n, 3.0));

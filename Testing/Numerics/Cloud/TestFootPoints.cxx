@@ -21,7 +21,7 @@ using conformal::Vector3;
 namespace
 {
 // Around the origin, in no order at all.
-Points someCloud(Index size)
+Points cloudAroundOrigin(Index size)
 {
   return 2.0 * clouds::inUnitCube(size, 2).array() - 1.0;
 }
@@ -32,7 +32,7 @@ TEST(FootPoints, VisitsEachPatternOnceAndAlone)
 {
   const auto sphere = conformal::makeGeodesicSphere(12);
   const TriangleTree tree(sphere.Positions, sphere.Triangles);
-  const Points points = someCloud(40001);
+  const Points points = cloudAroundOrigin(40001);
   const TrainingSamples samples{ conformal::PointView(points) };
   for (const conformal::Run& run : { conformal::Run(), runs::backwards() })
   {
@@ -63,7 +63,7 @@ TEST(FootPoints, VisitsEachPatternOnceAndAlone)
 
 TEST(FootPoints, KeepsTheOrderForOtherSurfaces)
 {
-  const Points points = someCloud(40001);
+  const Points points = cloudAroundOrigin(40001);
   const TrainingSamples samples{ conformal::PointView(points) };
   const conformal::ClosestPoint closest = [](Index id, const Vector3& x, int)
   {
@@ -89,7 +89,7 @@ TEST(FootPoints, AreTheSameForSortedSamples)
 {
   const auto sphere = conformal::makeGeodesicSphere(6);
   const TriangleTree tree(sphere.Positions, sphere.Triangles);
-  const Points points = someCloud(3000);
+  const Points points = cloudAroundOrigin(3000);
   TrainingSamples samples{ conformal::PointView(points) };
   const auto feetOf = [&](Index stride)
   {

@@ -18,12 +18,7 @@ using conformal::WindingNumbers;
 
 namespace
 {
-// Points of a unit sphere, spread evenly; their area vectors are their shares of its area.
-Points sphere()
-{
-  return spheres::spiral(9000);
-}
-
+// Area vectors of points that are spread evenly over the unit sphere: their shares of its area.
 Points sharesOf(const Points& points)
 {
   return 4.0 * Pi / static_cast<double>(points.rows()) * points;
@@ -60,7 +55,7 @@ double numberAt(const Vector3& x, const Points& points, const Points& areas, dou
 
 TEST(WindingNumbers, AreOneInsideAndZeroOutside)
 {
-  const Points points = sphere();
+  const Points points = spheres::spiral(9000);
   const WindingNumbers cloud(points);
   const WindingNumbers::Sources sources = cloud.sources(sharesOf(points));
   Points places(200, 3);

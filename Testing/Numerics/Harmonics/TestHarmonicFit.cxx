@@ -4,6 +4,7 @@
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
 #include "Shapes.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -15,28 +16,17 @@ using conformal::fitHarmonics;
 using conformal::harmonicIndex;
 using conformal::Index;
 using conformal::MappedMesh;
-using conformal::Mesh;
 using conformal::numberOfHarmonics;
 using conformal::Points;
 using conformal::Vector3;
+using spheres::mapped;
 
 namespace
 {
-/// A sphere mesh that is its own map.
-MappedMesh sphere(int frequency)
-{
-  const Mesh mesh = conformal::makeGeodesicSphere(frequency);
-  MappedMesh mapped;
-  mapped.Positions = mesh.Positions;
-  mapped.SpherePositions = mesh.Positions;
-  mapped.Triangles = mesh.Triangles;
-  return mapped;
-}
-
 /// An ellipsoid, somewhere; the map is that of the sphere that was stretched, moved along it.
 MappedMesh ellipsoid(int frequency, double crowded = 0.0)
 {
-  MappedMesh mesh = sphere(frequency);
+  MappedMesh mesh = mapped(frequency);
   for (Index i = 0; i < mesh.Positions.rows(); ++i)
   {
     Vector3 n = mesh.SpherePositions.row(i);
@@ -137,7 +127,7 @@ TEST(HarmonicFit, ResidualIsOrthogonalToAllHarmonics)
 // What is linear in triangles with sides of 0.3 differs from the function by up to 0.5.
 TEST(HarmonicFit, CoarseMeshesLeaveNothingFree)
 {
-  const MappedMesh coarse = sphere(4);
+  const MappedMesh coarse = mapped(4);
   Columns values(coarse.Positions.rows(), 1);
   for (Index i = 0; i < values.rows(); ++i)
   {
@@ -199,7 +189,7 @@ TEST(HarmonicFit, BadSurfacesAreRefused)
   MappedMesh open = ellipsoid(10);
   open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
   EXPECT_THROW(fitHarmonics(open, open.Positions, 4), std::invalid_argument);
-  MappedMesh point = sphere(10);
+  MappedMesh point = mapped(10);
   point.Positions.setZero();
   EXPECT_THROW(fitHarmonics(point, point.SpherePositions, 4), std::invalid_argument);
 }

@@ -20,7 +20,7 @@ using conformal::Vector3;
 
 namespace
 {
-constexpr double Spacing = 0.04;
+constexpr double PointSpacing = 0.04;
 
 FreudenthalGrid gridOfUnitCube()
 {
@@ -38,7 +38,7 @@ Points square(double z)
   Points points(side * side, 3);
   for (int i = 0; i < points.rows(); ++i)
   {
-    points.row(i) = Vector3(Spacing * (i % side - 20), Spacing * (i / side - 20), z);
+    points.row(i) = Vector3(PointSpacing * (i % side - 20), PointSpacing * (i / side - 20), z);
   }
   return points;
 }
@@ -57,8 +57,8 @@ float at(const FreudenthalGrid& grid, const std::vector<float>& values, const Ve
 void addRectangle(
   std::vector<double>& points, const Vector3& corner, const Vector3& along, const Vector3& across)
 {
-  const int n = static_cast<int>(along.norm() / Spacing),
-            m = static_cast<int>(across.norm() / Spacing);
+  const int n = static_cast<int>(along.norm() / PointSpacing),
+            m = static_cast<int>(across.norm() / PointSpacing);
   for (int i = 0; i <= n; ++i)
   {
     for (int j = 0; j <= m; ++j)
@@ -102,7 +102,7 @@ TEST(FreeSpace, IsBetweenPointsAndScannersAlone)
   const FreudenthalGrid grid = gridOfUnitCube();
   const Points points = square(0.0);
   const std::vector<float> free =
-    freeSpace(grid, points, toScanner(points, { 0, 0, 1e6 }), Spacing, 0.0);
+    freeSpace(grid, points, toScanner(points, { 0, 0, 1e6 }), PointSpacing, 0.0);
   EXPECT_EQ(at(grid, free, { 0, 0, 0.5 }), 1.0F);
   EXPECT_EQ(at(grid, free, { 0.5, -0.5, 0.9 }), 1.0F);
   for (const double z : { -0.9, -0.5, 0.0, 0.05 })
@@ -119,7 +119,7 @@ TEST(FreeSpace, EndsAtTheScanner)
   const FreudenthalGrid grid = gridOfUnitCube();
   const Points points = square(-0.8);
   const std::vector<float> free =
-    freeSpace(grid, points, toScanner(points, { 0, 0, 0.3 }), Spacing, 0.0);
+    freeSpace(grid, points, toScanner(points, { 0, 0, 0.3 }), PointSpacing, 0.0);
   EXPECT_EQ(at(grid, free, { 0, 0, 0 }), 1.0F);
   EXPECT_EQ(at(grid, free, { 0, 0, 0.6 }), 0.0F);
 }
@@ -129,7 +129,7 @@ TEST(FreeSpace, IsEmptyWithoutScanners)
   const FreudenthalGrid grid = gridOfUnitCube();
   const Points points = square(0.0);
   const Points unknown = Points::Zero(points.rows(), 3);
-  for (const float value : freeSpace(grid, points, unknown, Spacing, 0.0))
+  for (const float value : freeSpace(grid, points, unknown, PointSpacing, 0.0))
   {
     EXPECT_EQ(value, 0.0F);
   }

@@ -25,6 +25,7 @@ using conformal::GenusZeroReport;
 using conformal::hasHandles;
 using conformal::Index;
 using conformal::makeGenusZeroHull;
+using conformal::Pi;
 using conformal::Points;
 using conformal::PointView;
 using conformal::TrainingSamples;
@@ -32,8 +33,6 @@ using conformal::Vector3;
 
 namespace
 {
-constexpr double Pi = 3.14159265358979323846;
-
 GenusZeroHullOptions spaced(double spacing)
 {
   GenusZeroHullOptions options;

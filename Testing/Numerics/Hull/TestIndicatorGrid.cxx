@@ -32,7 +32,7 @@ FreudenthalGrid gridOf(double spacing)
 }
 
 // On a unit sphere, spread evenly.
-Points sphere()
+Points evenSphere()
 {
   return spheres::spiral(4000);
 }
@@ -45,7 +45,7 @@ Points shares(const Points& points)
 
 TEST(IndicatorGrid, TellsTheInsideOfASphere)
 {
-  const Points points = sphere();
+  const Points points = evenSphere();
   const FreudenthalGrid grid = gridOf(0.04);
   const Indicator indicator = indicatorOn(grid, WindingNumbers(points), shares(points), Width);
   EXPECT_NEAR(indicator.Level, 0.5, 0.03);
@@ -67,7 +67,7 @@ TEST(IndicatorGrid, TellsTheInsideOfASphere)
 // Without its cap: where nodes were interpolated, evaluation says the same.
 TEST(IndicatorGrid, InterpolatesOnlyWhereItMay)
 {
-  Points points = sphere();
+  Points points = evenSphere();
   Index size = 0;
   for (Index i = 0; i < points.rows(); ++i)
   {
@@ -109,7 +109,7 @@ TEST(IndicatorGrid, InterpolatesOnlyWhereItMay)
 
 TEST(IndicatorGrid, ReportsAndStops)
 {
-  const Points points = sphere();
+  const Points points = evenSphere();
   const FreudenthalGrid grid = gridOf(0.04);
   const WindingNumbers cloud(points);
   runs::Watch watch;

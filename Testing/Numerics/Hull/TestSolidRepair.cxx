@@ -1,5 +1,7 @@
 #include "Hull/SolidRepair.h"
 
+#include "Grids.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,15 +16,13 @@ using conformal::Indicator;
 using conformal::joinPieces;
 using conformal::openHandles;
 using conformal::Vector3;
+using grids::Marks;
 
 namespace
 {
-using Marks = std::vector<std::uint8_t>;
-
-FreudenthalGrid cube(int size)
+FreudenthalGrid fineCube(int size)
 {
-  FreudenthalGrid grid;
-  grid.Size = { size, size, size };
+  FreudenthalGrid grid = grids::cube(size);
   grid.Spacing = 0.01;
   return grid;
 }
@@ -78,7 +78,7 @@ bool inRing(const Vector3& x, double radius, double tube)
 // A body, a limb that a gap of three nodes has parted from it, a crumb, and another thing far away.
 TEST(SolidRepair, JoinsLimbsAndDropsTheRest)
 {
-  const FreudenthalGrid grid = cube(61);
+  const FreudenthalGrid grid = fineCube(61);
   const auto body = [](const Vector3& x) { return (x - Vector3(-8, 0, 0)).norm() < 12.0; };
   const auto limb = [](const Vector3& x) { return (x - Vector3(12, 0, 0)).norm() < 5.0; };
   const auto crumb = [](const Vector3& x) { return (x - Vector3(-8, 15, 0)).norm() < 0.5; };
@@ -103,7 +103,7 @@ TEST(SolidRepair, JoinsLimbsAndDropsTheRest)
 // between them falls to 0.2 only, and no samples are there. Separate objects are closed.
 TEST(SolidRepair, JoinsLimbsAcrossHolesButNoSeparateObjects)
 {
-  const FreudenthalGrid grid = cube(81);
+  const FreudenthalGrid grid = fineCube(81);
   const auto body = [](const Vector3& x) { return (x - Vector3(-22, 0, 0)).norm() < 14.0; };
   const auto limb = [](const Vector3& x)
   { return x[0] > 10.0 && x[0] < 32.0 && std::hypot(x[1], x[2]) < 6.0; };
@@ -145,7 +145,7 @@ TEST(SolidRepair, JoinsLimbsAcrossHolesButNoSeparateObjects)
 
 TEST(SolidRepair, JoinsAlongWhatIsNearlyInside)
 {
-  const FreudenthalGrid grid = cube(41);
+  const FreudenthalGrid grid = fineCube(41);
   Marks inside = where(grid,
     [](const Vector3& x) {
       return std::abs(x[2]) <= 1 && std::abs(std::abs(x[0]) - 8.0) <= 5.0 && std::abs(x[1]) <= 12.0;
@@ -164,7 +164,7 @@ TEST(SolidRepair, JoinsAlongWhatIsNearlyInside)
 
 TEST(SolidRepair, FillsCavities)
 {
-  const FreudenthalGrid grid = cube(31);
+  const FreudenthalGrid grid = fineCube(31);
   const auto isSolid = [](const Vector3& x)
   {
     return x.norm() < 11.0 && (x - Vector3(4, 0, 0)).norm() > 3.0 &&
@@ -178,7 +178,7 @@ TEST(SolidRepair, FillsCavities)
 
 TEST(SolidRepair, CutsThinRingsAndFillsNarrowHoles)
 {
-  const FreudenthalGrid grid = cube(45);
+  const FreudenthalGrid grid = fineCube(45);
   // The way through a ring's tube against that across its hole.
   Marks thin = where(grid, [](const Vector3& x) { return inRing(x, 14.0, 2.0); });
   const Marks thinBefore = thin;
@@ -201,7 +201,7 @@ TEST(SolidRepair, CutsThinRingsAndFillsNarrowHoles)
 // The ring of before is cut where the indicator is in doubt, though its hole is narrow.
 TEST(SolidRepair, CutsWhereTheIndicatorDoubts)
 {
-  const FreudenthalGrid grid = cube(45);
+  const FreudenthalGrid grid = fineCube(45);
   Marks inside = where(grid, [](const Vector3& x) { return inRing(x, 10.0, 7.5); });
   Indicator indicator = indicatorOf(inside);
   const Marks doubted =
@@ -224,7 +224,7 @@ TEST(SolidRepair, CutsWhereTheIndicatorDoubts)
 
 TEST(SolidRepair, OpensManyHandles)
 {
-  const FreudenthalGrid grid = cube(45);
+  const FreudenthalGrid grid = fineCube(45);
   // A grid of bars: a cube's twelve edges have five handles.
   Marks inside = where(grid,
     [](const Vector3& x)

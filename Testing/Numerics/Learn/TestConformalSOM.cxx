@@ -115,7 +115,7 @@ ConformalSOMOptions online(int frequency)
   return options;
 }
 
-ConformalSOMOptions adaptive(Index neurons)
+ConformalSOMOptions automatic(Index neurons)
 {
   ConformalSOMOptions options;
   options.NumberOfNeurons = neurons;
@@ -267,7 +267,7 @@ TEST(ConformalSOM, OutliersDoNotSpoilTheMap)
   {
     points.data()[i] = 2.4 * random.uniform() - 1.2;
   }
-  const ConformalSOMOptions options = adaptive(2562);
+  const ConformalSOMOptions options = automatic(2562);
   const ConformalSOMResult clean =
     trainConformalSOM(TrainingSamples(conformal::PointView(points.data(), count)), options);
   EXPECT_EQ(clean.NumberOfOutliers, 0);
@@ -283,7 +283,7 @@ TEST(ConformalSOM, OutliersDoNotSpoilTheMap)
 TEST(ConformalSOM, WebsAreFoundAndAvoided)
 {
   const Points points = horseshoe(20000);
-  ConformalSOMOptions options = adaptive(2562);
+  ConformalSOMOptions options = automatic(2562);
   options.StartingShape = conformal::StartingShape::Sphere;
   const ConformalSOMResult webbed = trainConformalSOM(TrainingSamples(points), options);
   EXPECT_FALSE(webbed.FromHull);
@@ -350,7 +350,7 @@ TEST(ConformalSOM, AGeodesicMeshIsLearnedFromTheSphereOnly)
 TEST(ConformalSOM, SimpleObjectsNeedNoHull)
 {
   const ConformalSOMResult result =
-    trainConformalSOM(TrainingSamples(potato(20000)), adaptive(2562));
+    trainConformalSOM(TrainingSamples(potato(20000)), automatic(2562));
   EXPECT_FALSE(result.FromHull);
   EXPECT_EQ(result.UnsupportedFraction, 0.0);
 }
@@ -362,7 +362,7 @@ TEST(ConformalSOM, StartsFromAMappedMesh)
   conformal::MappedMesh start{ sphere.Positions, sphere.Triangles, sphere.Positions };
   start.Positions.col(1) *= 0.7;
   const ConformalSOMResult result =
-    trainConformalSOM(TrainingSamples(points), adaptive(1442), &start);
+    trainConformalSOM(TrainingSamples(points), automatic(1442), &start);
   EXPECT_TRUE(result.FromMesh);
   EXPECT_FALSE(result.FromHull);
   EXPECT_EQ(result.NumberOfStarts, 1);
@@ -518,7 +518,7 @@ TEST(ConformalSOM, RanksRefuseWeightsThatSomeLack)
 TEST(ConformalSOM, RanksShareTheHull)
 {
   const Points points = horseshoe(6000);
-  ConformalSOMOptions options = adaptive(1442);
+  ConformalSOMOptions options = automatic(1442);
   options.StartingShape = conformal::StartingShape::Hull;
   const ConformalSOMResult whole = trainConformalSOM(TrainingSamples(points), options);
   ASSERT_TRUE(whole.FromHull);

@@ -1,8 +1,8 @@
 #include "Motion/DeformationGradients.h"
 
-#include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
 #include "Shapes.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -18,20 +18,18 @@ using conformal::Vector3;
 
 namespace
 {
-Mesh egg()
+Mesh bentEgg()
 {
-  Mesh mesh = conformal::makeGeodesicSphere(6);
-  mesh.Positions = shapes::over(mesh.Positions,
+  return spheres::shaped(6,
     [](const Vector3& n) -> Vector3 {
       return { 3.0 * n[0] + n[1] * n[1], 2.0 * n[1], n[2] };
     });
-  return mesh;
 }
 }
 
 TEST(DeformationGradients, ASimilarityIsTheGradientOfAllTriangles)
 {
-  const Mesh mesh = egg();
+  const Mesh mesh = bentEgg();
   const Eigen::Matrix3d wanted =
     1.7 * Eigen::AngleAxisd(2.0, Vector3(1.0, 2.0, -1.0).normalized()).toRotationMatrix();
   Points pose = mesh.Positions * wanted.transpose();
@@ -44,7 +42,7 @@ TEST(DeformationGradients, ASimilarityIsTheGradientOfAllTriangles)
 
 TEST(DeformationGradients, MapsEdgesAndNormal)
 {
-  const Mesh mesh = egg();
+  const Mesh mesh = bentEgg();
   const Points pose = shapes::over(mesh.Positions,
     [](const Vector3& p) -> Vector3 {
       return { p[0] + 0.3 * p[2] * p[2], p[1] * p[0], p[2] };
@@ -87,7 +85,7 @@ TEST(DeformationGradients, ATriangleWithoutAreaHasTheGradientOfItsNeighbor)
 
 TEST(DeformationGradients, ACollapsedPoseIsFinite)
 {
-  const Mesh mesh = egg();
+  const Mesh mesh = bentEgg();
   const Points pose = Points::Zero(mesh.Positions.rows(), 3);
   for (const Eigen::Matrix3d& gradient : DeformationGradients(mesh).of(pose))
   {
@@ -97,7 +95,7 @@ TEST(DeformationGradients, ACollapsedPoseIsFinite)
 
 TEST(DeformationGradients, CanBeAbortedAndHaveTheSameBitsOnAllThreads)
 {
-  const Mesh mesh = egg();
+  const Mesh mesh = bentEgg();
   const DeformationGradients gradients(mesh);
   EXPECT_EQ(gradients.of(mesh.Positions), gradients.of(mesh.Positions, runs::backwards()));
   EXPECT_THROW(gradients.of(mesh.Positions, runs::stoppingAt(0.5)), conformal::Aborted);

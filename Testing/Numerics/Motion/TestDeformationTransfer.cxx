@@ -1,9 +1,9 @@
 #include "Motion/DeformationTransfer.h"
 
 #include "Linear/EdgeWeights.h"
-#include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
 #include "Shapes.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -28,9 +28,7 @@ namespace
 template <typename Place>
 MappedMesh body(int frequency, Place place)
 {
-  MappedMesh mesh;
-  static_cast<conformal::Mesh&>(mesh) = conformal::makeGeodesicSphere(frequency);
-  mesh.SpherePositions = mesh.Positions;
+  MappedMesh mesh = spheres::mapped(frequency);
   mesh.Positions = shapes::over(mesh.SpherePositions, place);
   return mesh;
 }

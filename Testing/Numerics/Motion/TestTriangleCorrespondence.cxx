@@ -1,7 +1,7 @@
 #include "Motion/TriangleCorrespondence.h"
 
-#include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -14,17 +14,10 @@ using conformal::MappedMesh;
 using conformal::SurfaceCorrespondence;
 using conformal::TriangleCorrespondenceOptions;
 using conformal::Vector3;
+using spheres::mapped;
 
 namespace
 {
-MappedMesh sphere(int frequency)
-{
-  MappedMesh mesh;
-  static_cast<conformal::Mesh&>(mesh) = conformal::makeGeodesicSphere(frequency);
-  mesh.SpherePositions = mesh.Positions;
-  return mesh;
-}
-
 // Turn a map, so that no vertices of two spheres coincide.
 MappedMesh turned(MappedMesh mesh)
 {
@@ -36,7 +29,7 @@ MappedMesh turned(MappedMesh mesh)
 
 TEST(TriangleCorrespondence, OfASurfaceToItselfIsTheIdentity)
 {
-  const MappedMesh mesh = sphere(7);
+  const MappedMesh mesh = mapped(7);
   const SurfaceCorrespondence pairs = correspondingTriangles(mesh, mesh);
   ASSERT_EQ(pairs.TriangleWeights.size(), mesh.Triangles.rows());
   for (Index r = 0; r < mesh.Triangles.rows(); ++r)
@@ -61,7 +54,7 @@ TEST(TriangleCorrespondence, OfASurfaceToItselfIsTheIdentity)
 // triangles are their fractions of the area, so that each source triangle gets about its own area.
 TEST(TriangleCorrespondence, AllSourceTrianglesGetTheirAreas)
 {
-  const MappedMesh fine = sphere(20), coarse = turned(sphere(5));
+  const MappedMesh fine = mapped(20), coarse = turned(mapped(5));
   const SurfaceCorrespondence pairs = correspondingTriangles(fine, coarse);
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(fine.Triangles.rows());
   for (Index r = 0; r < coarse.Triangles.rows(); ++r)
@@ -87,7 +80,7 @@ TEST(TriangleCorrespondence, AllSourceTrianglesGetTheirAreas)
 
 TEST(TriangleCorrespondence, WithoutSubdivisionHasOneTriangle)
 {
-  const MappedMesh fine = sphere(20), coarse = turned(sphere(5));
+  const MappedMesh fine = mapped(20), coarse = turned(mapped(5));
   TriangleCorrespondenceOptions options;
   options.MaximumSubdivision = 1;
   const SurfaceCorrespondence pairs = correspondingTriangles(fine, coarse, options);
@@ -96,7 +89,7 @@ TEST(TriangleCorrespondence, WithoutSubdivisionHasOneTriangle)
 
 TEST(TriangleCorrespondence, CanBeAbortedAndHasTheSameBitsOnAllThreads)
 {
-  const MappedMesh fine = sphere(20), coarse = turned(sphere(12));
+  const MappedMesh fine = mapped(20), coarse = turned(mapped(12));
   const auto with = [&](const conformal::Run& run)
   { return correspondingTriangles(fine, coarse, {}, run); };
   const SurfaceCorrespondence once = with({}), twice = with(runs::backwards());

@@ -26,7 +26,7 @@ using conformal::Vector3;
 namespace
 {
 /// An ellipsoid with a limb along x, mapped by its directions.
-MappedMesh surface(int frequency, double limb)
+MappedMesh withLimb(int frequency, double limb)
 {
   const conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency);
   MappedMesh mesh;
@@ -56,7 +56,7 @@ ConsistentRemeshOptions adaptive(Index size)
   return options;
 }
 
-void expectRefused(const std::vector<MappedMesh>& surfaces, const std::string& why)
+void expectRemeshRefused(const std::vector<MappedMesh>& surfaces, const std::string& why)
 {
   for (const ConsistentRemeshOptions& options : { geodesic(5), adaptive(600) })
   {
@@ -75,7 +75,8 @@ void expectRefused(const std::vector<MappedMesh>& surfaces, const std::string& w
 
 TEST(ConsistentRemesh, PointsAreThoseInTheDirections)
 {
-  const std::vector<MappedMesh> surfaces = { surface(12, 0.0), surface(17, 2.0), surface(9, 1.0) };
+  const std::vector<MappedMesh> surfaces = { withLimb(12, 0.0), withLimb(17, 2.0),
+    withLimb(9, 1.0) };
   for (const ConsistentRemeshOptions& options : { geodesic(10), adaptive(1000) })
   {
     const ConsistentMeshes meshes = remeshConsistently(surfaces, options);
@@ -110,15 +111,15 @@ TEST(ConsistentRemesh, TheAdaptiveMeshIsDenseWhereOneSurfaceAsksForIt)
 {
   const auto onTheLimb = [](const ConsistentMeshes& meshes)
   { return (meshes.Sphere.Positions.col(0).array() > 0.95).count(); };
-  const auto plain = remeshConsistently({ surface(20, 0.0), surface(20, 0.0) }, adaptive(2000)),
-             limb = remeshConsistently({ surface(20, 0.0), surface(20, 6.0) }, adaptive(2000));
+  const auto plain = remeshConsistently({ withLimb(20, 0.0), withLimb(20, 0.0) }, adaptive(2000)),
+             limb = remeshConsistently({ withLimb(20, 0.0), withLimb(20, 6.0) }, adaptive(2000));
   EXPECT_GT(onTheLimb(limb), 4 * onTheLimb(plain));
   EXPECT_NEAR(static_cast<double>(limb.Sphere.Positions.rows()), 2000.0, 40.0);
 }
 
 TEST(ConsistentRemesh, MirroredMapsAndTrianglesTurnedOverAreTakenForWhatTheyAre)
 {
-  MappedMesh one = surface(9, 0.5), other = surface(12, 1.0);
+  MappedMesh one = withLimb(9, 0.5), other = withLimb(12, 1.0);
   const Index before = remeshConsistently({ one, other }, geodesic(6)).Positions[0].rows();
   // Triangles clockwise from outside: the map mirrors nothing.
   one.Triangles.col(0).swap(one.Triangles.col(1));
@@ -127,8 +128,8 @@ TEST(ConsistentRemesh, MirroredMapsAndTrianglesTurnedOverAreTakenForWhatTheyAre)
   EXPECT_GT(conformal::signedVolume(meshes.Positions[0], meshes.Sphere.Triangles), 0.0);
   // One mirrored map corresponds to nothing, two do.
   one.SpherePositions.col(1) *= -1.0;
-  expectRefused({ one, other }, "the map to the sphere of surface 1 does not mirror it");
-  expectRefused({ other, one }, "the map to the sphere of surface 1 mirrors it");
+  expectRemeshRefused({ one, other }, "the map to the sphere of surface 1 does not mirror it");
+  expectRemeshRefused({ other, one }, "the map to the sphere of surface 1 mirrors it");
   other.SpherePositions.col(1) *= -1.0;
   meshes = remeshConsistently({ one, other }, geodesic(6));
   EXPECT_GT(conformal::signedVolume(meshes.Positions[0], meshes.Sphere.Triangles), 0.0);
@@ -137,25 +138,26 @@ TEST(ConsistentRemesh, MirroredMapsAndTrianglesTurnedOverAreTakenForWhatTheyAre)
 
 TEST(ConsistentRemesh, MapsThatDoNotCoverTheSphereOnceAreRefused)
 {
-  const MappedMesh good = surface(8, 0.0);
+  const MappedMesh good = withLimb(8, 0.0);
   MappedMesh folded = good;
   const Vector3 corner = folded.SpherePositions.row(folded.Triangles(300, 0)),
                 mirror = folded.SpherePositions.row(folded.Triangles(300, 1));
   folded.SpherePositions.row(folded.Triangles(300, 0)) = (2.0 * mirror - corner).normalized();
-  expectRefused({ good, folded }, "the map to the sphere of surface 1 covers it 1 times with");
+  expectRemeshRefused(
+    { good, folded }, "the map to the sphere of surface 1 covers it 1 times with");
   MappedMesh bowl = good;
   bowl.SpherePositions.col(2) = bowl.SpherePositions.col(2).cwiseAbs();
-  expectRefused({ bowl, good }, "the map to the sphere of surface 0 covers it 0 times");
+  expectRemeshRefused({ bowl, good }, "the map to the sphere of surface 0 covers it 0 times");
   MappedMesh half = good;
   half.Triangles.conservativeResize(half.Triangles.rows() / 2, 3);
-  expectRefused(
+  expectRemeshRefused(
     { good, half }, "surface 1 is open, or its triangles are not oriented consistently, at");
-  expectRefused({}, "there is no surface to remesh");
+  expectRemeshRefused({}, "there is no surface to remesh");
 }
 
 TEST(ConsistentRemesh, ThreadsChangeNoBitAndARunCanBeStopped)
 {
-  const std::vector<MappedMesh> surfaces = { surface(30, 0.0), surface(40, 2.0) };
+  const std::vector<MappedMesh> surfaces = { withLimb(30, 0.0), withLimb(40, 2.0) };
   for (const ConsistentRemeshOptions& options : { geodesic(30), adaptive(3000) })
   {
     const ConsistentMeshes one = remeshConsistently(surfaces, options),

@@ -21,7 +21,7 @@ using shapes::moved;
 
 namespace
 {
-const Mesh& sphere()
+const Mesh& coarseSphere()
 {
   static const Mesh mesh = conformal::makeGeodesicSphere(8);
   return mesh;
@@ -30,7 +30,7 @@ const Mesh& sphere()
 /// An ellipsoid, longer by one hidden number and bent by another.
 Points shape(double longer, double bent)
 {
-  return shapes::over(sphere().Positions,
+  return shapes::over(coarseSphere().Positions,
     [=](const Vector3& n)
     { return Vector3((2.0 + longer) * n[0], n[1] + bent * n[0] * n[0], 0.7 * n[2]); });
 }
@@ -86,7 +86,7 @@ TEST(ShapeModes, TwoHiddenModesAreTwo)
 {
   for (const double noise : { 0.0, 0.002 })
   {
-    const ShapeModes modes = findShapeModes(sphere().Triangles, ten(noise));
+    const ShapeModes modes = findShapeModes(coarseSphere().Triangles, ten(noise));
     ASSERT_GE(modes.Explained.size(), 2u);
     EXPECT_GT(modes.Explained[0] + modes.Explained[1], 0.99);
     EXPECT_GT(modes.Explained[1], 0.05);
@@ -100,7 +100,7 @@ TEST(ShapeModes, MeanAndModesAddUpToTheShapes)
     { ShapeAlignment::None, ShapeAlignment::Rigid, ShapeAlignment::Similarity })
   {
     std::vector<Points> shapes = ten(0.01);
-    const ShapeModes modes = findShapeModes(sphere().Triangles, shapes, { alignment, 10 });
+    const ShapeModes modes = findShapeModes(coarseSphere().Triangles, shapes, { alignment, 10 });
     EXPECT_EQ(modes.Modes.size(), 9u);
     EXPECT_NEAR(std::accumulate(modes.Explained.begin(), modes.Explained.end(), 0.0), 1.0, 1e-9);
     for (Index s = 0; s < 10; ++s)
@@ -122,7 +122,7 @@ TEST(ShapeModes, MeanAndModesAddUpToTheShapes)
 TEST(ShapeModes, ScoresHaveVarianceOneAndModesAreOrthogonal)
 {
   const ShapeModes modes =
-    findShapeModes(sphere().Triangles, ten(0.01), { ShapeAlignment::Rigid, 4 });
+    findShapeModes(coarseSphere().Triangles, ten(0.01), { ShapeAlignment::Rigid, 4 });
   ASSERT_EQ(modes.Modes.size(), 4u);
   const Eigen::MatrixXd covariance = modes.Scores.transpose() * modes.Scores / 9.0;
   EXPECT_LT((covariance - Eigen::MatrixXd::Identity(4, 4)).cwiseAbs().maxCoeff(), 1e-8);
@@ -142,15 +142,16 @@ TEST(ShapeModes, WhatIsTakenOutIsNoMode)
     copies.push_back(moved(one, 0.5 * s, { 3.0 * s, 1.0, -1.0 }));
     sizes.push_back(moved(one, 0.5 * s, { 3.0 * s, 1.0, -1.0 }, 1.0 + 0.2 * s));
   }
-  const ShapeModes equal = findShapeModes(sphere().Triangles, copies);
+  const ShapeModes equal = findShapeModes(coarseSphere().Triangles, copies);
   EXPECT_TRUE(equal.Modes.empty());
   EXPECT_EQ(equal.Scores.rows(), 5);
   EXPECT_LT(distance(equal.Mean, copies[0]), 1e-10);
-  EXPECT_EQ(findShapeModes(sphere().Triangles, sizes).Modes.size(), 1u);
-  EXPECT_TRUE(
-    findShapeModes(sphere().Triangles, sizes, { ShapeAlignment::Similarity, 10 }).Modes.empty());
+  EXPECT_EQ(findShapeModes(coarseSphere().Triangles, sizes).Modes.size(), 1u);
+  EXPECT_TRUE(findShapeModes(coarseSphere().Triangles, sizes, { ShapeAlignment::Similarity, 10 })
+                .Modes.empty());
   EXPECT_GE(
-    findShapeModes(sphere().Triangles, copies, { ShapeAlignment::None, 10 }).Modes.size(), 2u);
+    findShapeModes(coarseSphere().Triangles, copies, { ShapeAlignment::None, 10 }).Modes.size(),
+    2u);
 }
 
 // A mesh that is dense somewhere else says the same.
@@ -181,21 +182,21 @@ TEST(ShapeModes, VerticesCountByTheirArea)
 TEST(ShapeModes, OneShapeIsItsMean)
 {
   const Points one = moved(shape(0.1, 0.2), 1.0, { 1.0, 2.0, 3.0 });
-  const ShapeModes modes = findShapeModes(sphere().Triangles, { one });
+  const ShapeModes modes = findShapeModes(coarseSphere().Triangles, { one });
   EXPECT_LT(distance(modes.Mean, one), 1e-13);
   EXPECT_TRUE(modes.Modes.empty());
   const Points nothing = Points::Zero(one.rows(), 3);
-  EXPECT_TRUE(findShapeModes(sphere().Triangles, { nothing, nothing }).Mean.allFinite());
+  EXPECT_TRUE(findShapeModes(coarseSphere().Triangles, { nothing, nothing }).Mean.allFinite());
 }
 
 TEST(ShapeModes, ThreadsChangeNoBitAndARunCanBeStopped)
 {
   const std::vector<Points> shapes = ten(0.01);
-  const ShapeModes one = findShapeModes(sphere().Triangles, shapes),
-                   two = findShapeModes(sphere().Triangles, shapes, {}, runs::backwards());
+  const ShapeModes one = findShapeModes(coarseSphere().Triangles, shapes),
+                   two = findShapeModes(coarseSphere().Triangles, shapes, {}, runs::backwards());
   EXPECT_EQ(one.Mean, two.Mean);
   EXPECT_EQ(one.Modes, two.Modes);
   EXPECT_EQ(one.Scores, two.Scores);
-  EXPECT_THROW(
-    findShapeModes(sphere().Triangles, shapes, {}, runs::stoppingAt(0.5)), conformal::Aborted);
+  EXPECT_THROW(findShapeModes(coarseSphere().Triangles, shapes, {}, runs::stoppingAt(0.5)),
+    conformal::Aborted);
 }

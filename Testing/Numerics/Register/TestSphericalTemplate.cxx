@@ -53,7 +53,7 @@ SphericalTemplateOptions quick()
   return options;
 }
 
-void expectRefused(const std::vector<TemplateInput>& inputs, const std::string& why)
+void expectTemplateRefused(const std::vector<TemplateInput>& inputs, const std::string& why)
 {
   try
   {
@@ -265,15 +265,15 @@ TEST(SphericalTemplate, ThreadsChangeNoBitAndARunCanBeStopped)
 
 TEST(SphericalTemplate, SurfacesThatCannotBeUsedAreNamed)
 {
-  expectRefused({}, "there is no surface");
+  expectTemplateRefused({}, "there is no surface");
   TemplateInput bad = copy(1, 8);
   bad.Surface.Surface.SpherePositions.row(30) *= -1.0;
-  expectRefused({ copy(0, 8), bad }, "the map to the sphere of head 1 covers it");
-  expectRefused({ bad, copy(0, 8) }, "the map to the sphere of head 1 covers it");
+  expectTemplateRefused({ copy(0, 8), bad }, "the map to the sphere of head 1 covers it");
+  expectTemplateRefused({ bad, copy(0, 8) }, "the map to the sphere of head 1 covers it");
   bad = copy(1, 8);
   bad.Surface.Surface.Positions.setZero();
-  expectRefused({ copy(0, 8), bad }, "head 1 has no area");
+  expectTemplateRefused({ copy(0, 8), bad }, "head 1 has no area");
   bad = copy(1, 8);
   bad.Landmarks = { 4 };
-  expectRefused({ copy(0, 8), bad }, "head 1 has 1 landmarks, but head 0 has 0");
+  expectTemplateRefused({ copy(0, 8), bad }, "head 1 has 1 landmarks, but head 0 has 0");
 }

@@ -1,5 +1,6 @@
 #include "Repair/GluedSurface.h"
 
+#include "Gluing.h"
 #include "HandleMeshes.h"
 #include "Mesh/GenusZeroCheck.h"
 
@@ -16,15 +17,10 @@ using conformal::Index;
 using conformal::openLoops;
 using conformal::Points;
 using conformal::Triangles;
+using gluing::glue;
 
 namespace
 {
-GluedSurface glue(const conformal::Mesh& mesh, GluingReport* report = nullptr)
-{
-  GluingReport own;
-  return glueTriangles(mesh.Positions, mesh.Triangles, report ? *report : own);
-}
-
 Triangles trianglesOf(const GluedSurface& surface)
 {
   return Eigen::Map<const Triangles>(surface.Corners.data(), surface.numberOfTriangles(), 3);

@@ -1,5 +1,6 @@
 #include "Repair/HandleLoops.h"
 
+#include "Gluing.h"
 #include "HandleMeshes.h"
 #include "Runs.h"
 
@@ -9,19 +10,13 @@
 
 using conformal::findHandleLoops;
 using conformal::GluedSurface;
-using conformal::GluingReport;
 using conformal::HandleLoop;
 using conformal::Index;
 using conformal::numberOfHandles;
+using gluing::glue;
 
 namespace
 {
-GluedSurface glue(const conformal::Mesh& mesh)
-{
-  GluingReport report;
-  return glueTriangles(mesh.Positions, mesh.Triangles, report);
-}
-
 std::vector<double> lengthsOf(const GluedSurface& surface)
 {
   std::vector<double> lengths;

@@ -12,8 +12,6 @@
 using conformal::Index;
 using conformal::Vector3;
 
-namespace
-{
 // The identity map of the sphere, to be folded.
 class FlipRepair : public testing::Test
 {
@@ -54,7 +52,6 @@ protected:
   const conformal::EdgeWeights Strings;
   std::vector<Vector3> Positions;
 };
-}
 
 TEST_F(FlipRepair, LeavesAGoodMapAlone)
 {

@@ -7,12 +7,12 @@
 #include "Runs.h"
 #include "Sphere/ClosestMoebiusTransform.h"
 #include "Sphere/SphereOrientation.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -27,20 +27,11 @@ using conformal::Index;
 using conformal::Mesh;
 using conformal::Points;
 using conformal::Vector3;
+using spheres::shaped;
 
 namespace
 {
 const double Pi = std::acos(-1.0);
-
-Mesh shaped(int frequency, const std::function<Vector3(const Vector3&)>& move)
-{
-  Mesh sphere = conformal::makeGeodesicSphere(frequency);
-  for (Index i = 0; i < sphere.Positions.rows(); ++i)
-  {
-    sphere.Positions.row(i) = move(sphere.Positions.row(i));
-  }
-  return sphere;
-}
 
 // Smooth, without symmetry, its triangles acute.
 Mesh bumpy(int frequency)

@@ -5,13 +5,13 @@
 #include "Measure/Distortion.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -21,20 +21,10 @@ using conformal::Points;
 using conformal::ProgressiveSphereMapOptions;
 using conformal::ProgressiveSphereMapResult;
 using conformal::Vector3;
+using spheres::shaped;
 
 namespace
 {
-// A geodesic sphere with every point moved.
-conformal::Mesh shaped(int frequency, const std::function<Vector3(const Vector3&)>& move)
-{
-  conformal::Mesh sphere = conformal::makeGeodesicSphere(frequency);
-  for (Index i = 0; i < sphere.Positions.rows(); ++i)
-  {
-    sphere.Positions.row(i) = move(sphere.Positions.row(i));
-  }
-  return sphere;
-}
-
 conformal::Mesh limb(double length)
 {
   return shaped(12, [length](const Vector3& n) { return Vector3(n[0], n[1], length * n[2]); });

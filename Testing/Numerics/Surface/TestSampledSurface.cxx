@@ -2,6 +2,7 @@
 
 #include "Mesh/GeodesicSphere.h"
 #include "Runs.h"
+#include "Spheres.h"
 
 #include <gtest/gtest.h>
 
@@ -23,17 +24,6 @@ using conformal::Points;
 using conformal::smoothNormals;
 using conformal::Triangles;
 using conformal::Vector3;
-
-namespace
-{
-MappedMesh mappedSphere(int frequency)
-{
-  MappedMesh mesh;
-  static_cast<Mesh&>(mesh) = makeGeodesicSphere(frequency);
-  mesh.SpherePositions = mesh.Positions;
-  return mesh;
-}
-}
 
 TEST(SampledSurface, IsOrientedInwardWhereMostAreaOpposesTheNormals)
 {
@@ -78,7 +68,7 @@ TEST(SampledSurface, MissingNormalsBecomeDirections)
 
 TEST(SampledSurface, SupportIsInterpolatedLinearlyAndClamped)
 {
-  const MappedMesh mesh = mappedSphere(3);
+  const MappedMesh mesh = spheres::mapped(3);
   const CurvedSeamlessSurface surface(mesh);
   std::vector<double> support(mesh.Positions.rows(), 0.5);
   support[0] = 4.0;
@@ -112,7 +102,7 @@ TEST(SampledSurface, SupportIsInterpolatedLinearlyAndClamped)
 
 TEST(SampledSurface, MarksPiecesOfDegenerateTriangles)
 {
-  MappedMesh mesh = mappedSphere(2);
+  MappedMesh mesh = spheres::mapped(2);
   mesh.Positions.row(0) =
     mesh.Positions.row(mesh.Triangles(0, 0) == 0 ? mesh.Triangles(0, 1) : mesh.Triangles(0, 0));
   const CurvedSeamlessSurface surface(mesh);
@@ -132,7 +122,7 @@ TEST(SampledSurface, MarksPiecesOfDegenerateTriangles)
 
 TEST(SampledSurface, MarksTrianglesWithADegenerateDirection)
 {
-  const CurvedSeamlessSurface surface(mappedSphere(2));
+  const CurvedSeamlessSurface surface(spheres::mapped(2));
   const Mesh sphere = makeGeodesicSphere(4);
   std::vector<unsigned char> degenerate(sphere.Positions.rows(), 0), marks(sphere.Triangles.rows());
   degenerate[5] = 1;

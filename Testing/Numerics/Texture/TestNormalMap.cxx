@@ -22,7 +22,7 @@ using conformal::Vector3;
 
 namespace
 {
-const PixelGrid Grid = { 80, 80 };
+const PixelGrid SquareGrid = { 80, 80 };
 constexpr double Margin = 0.05;
 
 // Sphere that is cut along the seams of an octahedral image.
@@ -80,10 +80,10 @@ bool isInMargin(const Vector2& st)
 TEST(NormalMap, IsFlatIfTheSurfacesAreEqual)
 {
   const CutSphere cut = cutSphere(20);
-  const Points values = normalMap(cut, cut.Image, Grid, leaning(Vector3::Zero()));
-  for (Index i = 0; i < Grid.size(); ++i)
+  const Points values = normalMap(cut, cut.Image, SquareGrid, leaning(Vector3::Zero()));
+  for (Index i = 0; i < SquareGrid.size(); ++i)
   {
-    ASSERT_GT(values(i, 2), isInMargin(Grid.middleOf(i)) ? 0.8 : 0.9999) << i;
+    ASSERT_GT(values(i, 2), isInMargin(SquareGrid.middleOf(i)) ? 0.8 : 0.9999) << i;
   }
 }
 
@@ -92,12 +92,12 @@ TEST(NormalMap, IsRelativeToTheDirectionsOfTheImage)
 {
   const CutSphere cut = cutSphere(20);
   const Vector3 towards(0.2, -0.1, 0.25);
-  const Points values = normalMap(cut, cut.Image, Grid, leaning(towards));
+  const Points values = normalMap(cut, cut.Image, SquareGrid, leaning(towards));
   constexpr double step = 1e-5;
   Index compared = 0;
-  for (Index i = 0; i < Grid.size(); ++i)
+  for (Index i = 0; i < SquareGrid.size(); ++i)
   {
-    const Vector2 st = Grid.middleOf(i);
+    const Vector2 st = SquareGrid.middleOf(i);
     const Vector2 q = (st - Vector2::Constant(0.5)).cwiseAbs();
     const double toFold = std::min(std::abs(q[0] + q[1] - (0.5 - Margin)), q.minCoeff());
     if (isInMargin(st) || toFold < 0.03)
@@ -112,7 +112,7 @@ TEST(NormalMap, IsRelativeToTheDirectionsOfTheImage)
     ASSERT_LT((values.row(i).transpose() - expected).norm(), 0.03) << st.transpose();
     ++compared;
   }
-  EXPECT_GT(compared, Grid.size() / 2);
+  EXPECT_GT(compared, SquareGrid.size() / 2);
 }
 
 // Faces of a cube have margins of their own.
@@ -139,10 +139,10 @@ TEST(NormalMap, IsContinuousInEachFaceOfACube)
 TEST(NormalMap, IsContinuousAtTheMargin)
 {
   const CutSphere cut = cutSphere(20);
-  const Points values = normalMap(cut, cut.Image, Grid, leaning(Vector3(0.2, -0.1, 0.25)));
-  for (Index row = 8; row < Grid.Height - 8; ++row)
+  const Points values = normalMap(cut, cut.Image, SquareGrid, leaning(Vector3(0.2, -0.1, 0.25)));
+  for (Index row = 8; row < SquareGrid.Height - 8; ++row)
   {
-    const Index border = row * Grid.Width + static_cast<Index>(Margin * Grid.Width);
+    const Index border = row * SquareGrid.Width + static_cast<Index>(Margin * SquareGrid.Width);
     ASSERT_LT((values.row(border) - values.row(border - 1)).norm(), 0.1) << row;
   }
 }
@@ -160,8 +160,8 @@ TEST(NormalMap, DoesNotDependOnThreads)
       }
     },
     {});
-  EXPECT_EQ(
-    normalMap(cut, cut.Image, Grid, detail), normalMap(cut, cut.Image, Grid, detail, backwards));
+  EXPECT_EQ(normalMap(cut, cut.Image, SquareGrid, detail),
+    normalMap(cut, cut.Image, SquareGrid, detail, backwards));
 }
 
 TEST(NormalMap, RefusesImagesWithoutPixels)
@@ -169,5 +169,5 @@ TEST(NormalMap, RefusesImagesWithoutPixels)
   const CutSphere cut = cutSphere(6);
   const SurfaceWithNormals detail = leaning(Vector3::Zero());
   EXPECT_THROW(normalMap(cut, cut.Image, { 0, 5 }, detail), std::invalid_argument);
-  EXPECT_THROW(normalMap(cut, cut.Image, Grid, {}), std::invalid_argument);
+  EXPECT_THROW(normalMap(cut, cut.Image, SquareGrid, {}), std::invalid_argument);
 }

@@ -17,7 +17,7 @@ using conformal::Vector3;
 
 namespace
 {
-SphereImage imageOf(SphereProjection projection)
+SphereImage wideImage(SphereProjection projection)
 {
   SphereImage image;
   image.Projection = projection;
@@ -47,7 +47,7 @@ TEST(PictureDensity, IsTheSlope)
     { SphereProjection::Stereographic, SphereProjection::LongitudeLatitude,
       SphereProjection::Octahedral, SphereProjection::CubeMap })
   {
-    const SphereImage image = imageOf(projection);
+    const SphereImage image = wideImage(projection);
     const SphereDensity density = pictureDensity(
       painted(600, 400, image, [&](const Vector3& n) { return axis.dot(n); }), image);
     for (const Vector3& direction :
@@ -62,7 +62,7 @@ TEST(PictureDensity, IsTheSlope)
 
 TEST(PictureDensity, AddsSquaresOfComponents)
 {
-  const SphereImage image = imageOf(SphereProjection::LongitudeLatitude);
+  const SphereImage image = wideImage(SphereProjection::LongitudeLatitude);
   const Picture one = painted(200, 100, image, [](const Vector3& n) { return n[0]; });
   Picture two = { one.Grid, 2, {} };
   for (const double value : one.Values)
@@ -77,7 +77,7 @@ TEST(PictureDensity, AddsSquaresOfComponents)
 // The border of two colors: as many points whether it is sharp or soft.
 TEST(PictureDensity, CountsTheChangeAndNotItsSharpness)
 {
-  const SphereImage image = imageOf(SphereProjection::LongitudeLatitude);
+  const SphereImage image = wideImage(SphereProjection::LongitudeLatitude);
   const auto total = [&](double width)
   {
     const SphereDensity density =
@@ -93,7 +93,7 @@ TEST(PictureDensity, CountsTheChangeAndNotItsSharpness)
 
 TEST(PictureDensity, OfOneColorIsZero)
 {
-  const SphereImage image = imageOf(SphereProjection::LongitudeLatitude);
+  const SphereImage image = wideImage(SphereProjection::LongitudeLatitude);
   const SphereDensity density =
     pictureDensity(painted(1, 1, image, [](const Vector3&) { return 0.5; }), image);
   EXPECT_FALSE(conformal::isAnywhere(density));
@@ -101,7 +101,7 @@ TEST(PictureDensity, OfOneColorIsZero)
 
 TEST(PictureDensity, DetailsGetHalfOfThePointsInAnyUnit)
 {
-  const SphereImage image = imageOf(SphereProjection::LongitudeLatitude);
+  const SphereImage image = wideImage(SphereProjection::LongitudeLatitude);
   SphereDensity even =
     pictureDensity(painted(40, 20, image, [](const Vector3&) { return 0.5; }), image);
   even.At = [](const Vector3&) { return 1.0; };

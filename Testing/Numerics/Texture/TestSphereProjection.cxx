@@ -1,6 +1,7 @@
 #include "Texture/SphereProjection.h"
 
 #include "Mesh/GeodesicSphere.h"
+#include "TextureFixtures.h"
 
 #include <gtest/gtest.h>
 
@@ -15,12 +16,10 @@ using conformal::SphereView;
 using conformal::textureToSphere;
 using conformal::Vector2;
 using conformal::Vector3;
+using fixtures::AllProjections;
 
 namespace
 {
-const SphereProjection AllProjections[] = { SphereProjection::Stereographic,
-  SphereProjection::LongitudeLatitude, SphereProjection::Octahedral, SphereProjection::CubeMap };
-
 // Some view that is like no other.
 SphereView tiltedView()
 {

@@ -17,15 +17,11 @@ using conformal::SphereViewOptions;
 using conformal::Triangles;
 using conformal::Vector3;
 using fixtures::egg;
+using fixtures::seenFrom;
 
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-SphereViewOptions seenFrom(const Vector3& direction, const Vector3& up)
-{
-  return fixtures::seenFrom<SphereViewOptions>(direction, up);
-}
 }
 
 // Seen by anyone, the sphere itself shows the image upright, its middle towards him.
@@ -36,8 +32,8 @@ TEST(SphereViewChoice, StandsUprightOnTheSphere)
     { { 1, 0.3, 0 }, { 0, 0, 1e-3 } }, { { -1, 2, 3 }, { 1, 1, 1 } } };
   for (const auto& [direction, up] : views)
   {
-    const SphereView view = chooseSphereView(
-      sphere.Positions, sphere.Triangles, sphere.Positions, seenFrom(direction, up));
+    const SphereView view = chooseSphereView(sphere.Positions, sphere.Triangles, sphere.Positions,
+      seenFrom<SphereViewOptions>(direction, up));
     const Vector3 pole = direction.normalized(), right = up.cross(direction).normalized();
     EXPECT_LT((view.Pole - pole).norm(), 1e-12);
     EXPECT_LT((view.Right - right).norm(), 2e-2); // the lattice is not symmetric to all views
@@ -50,7 +46,7 @@ TEST(SphereViewChoice, FramesAreOrthonormalAndRightHanded)
   const auto sphere = conformal::makeGeodesicSphere(8);
   for (double degrees : { 1.0, 180.0, 340.0 })
   {
-    SphereViewOptions options = seenFrom({ 1, 2, 3 }, { 0, 1, 0 });
+    SphereViewOptions options = seenFrom<SphereViewOptions>({ 1, 2, 3 }, { 0, 1, 0 });
     options.FieldOfView = degrees;
     const SphereView view =
       chooseSphereView(egg(sphere.Positions), sphere.Triangles, sphere.Positions, options);
@@ -83,11 +79,16 @@ TEST(SphereViewChoice, RefusesViewsThatAreNone)
   const auto sphere = conformal::makeGeodesicSphere(2);
   const auto choose = [&](const SphereViewOptions& options)
   { return chooseSphereView(sphere.Positions, sphere.Triangles, sphere.Positions, options); };
-  EXPECT_THROW(choose(seenFrom({ 0, 0, 0 }, { 0, 1, 0 })), std::invalid_argument);
-  EXPECT_THROW(choose(seenFrom({ 0, 0, 1 }, { 0, 0, 0 })), std::invalid_argument);
-  EXPECT_THROW(choose(seenFrom({ 0, 0, 1 }, { 0, 0, -2 })), std::invalid_argument);
-  EXPECT_THROW(choose(seenFrom({ 0, Infinity, 1 }, { 0, 1, 0 })), std::invalid_argument);
-  EXPECT_THROW(choose(seenFrom({ 0, 0, 1 }, { 0, std::nan(""), 0 })), std::invalid_argument);
+  EXPECT_THROW(
+    choose(seenFrom<SphereViewOptions>({ 0, 0, 0 }, { 0, 1, 0 })), std::invalid_argument);
+  EXPECT_THROW(
+    choose(seenFrom<SphereViewOptions>({ 0, 0, 1 }, { 0, 0, 0 })), std::invalid_argument);
+  EXPECT_THROW(
+    choose(seenFrom<SphereViewOptions>({ 0, 0, 1 }, { 0, 0, -2 })), std::invalid_argument);
+  EXPECT_THROW(
+    choose(seenFrom<SphereViewOptions>({ 0, Infinity, 1 }, { 0, 1, 0 })), std::invalid_argument);
+  EXPECT_THROW(choose(seenFrom<SphereViewOptions>({ 0, 0, 1 }, { 0, std::nan(""), 0 })),
+    std::invalid_argument);
   SphereViewOptions options;
   for (double degrees : { 0.0, -1.0, 341.0, std::nan("") })
   {
@@ -138,7 +139,7 @@ TEST(SphereViewChoice, TakesAPickedPointAsThePole)
   const Points model = egg(sphere.Positions);
   Triangles insideOut = sphere.Triangles;
   insideOut.col(1).swap(insideOut.col(2));
-  SphereViewOptions options = seenFrom({ 0, 0, 1 }, { 0, 1, 0 });
+  SphereViewOptions options = seenFrom<SphereViewOptions>({ 0, 0, 1 }, { 0, 1, 0 });
   options.UseViewPoint = true;
   for (Index picked : { 5, 40, 333, 900 })
   {
@@ -157,7 +158,7 @@ TEST(SphereViewChoice, TakesAPickedPointAsThePole)
 TEST(SphereViewChoice, RotatesAsTheViewerSeesIt)
 {
   const auto sphere = conformal::makeGeodesicSphere(8);
-  SphereViewOptions options = seenFrom({ 1, 2, 3 }, { 0, 1, 0 });
+  SphereViewOptions options = seenFrom<SphereViewOptions>({ 1, 2, 3 }, { 0, 1, 0 });
   const SphereView upright =
     chooseSphereView(egg(sphere.Positions), sphere.Triangles, sphere.Positions, options);
   options.Rotation = 90.0; // counter-clockwise: the image's right edge goes up

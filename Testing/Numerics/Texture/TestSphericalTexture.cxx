@@ -19,18 +19,12 @@ using conformal::TextureWrap;
 using conformal::Triangles;
 using conformal::Vector2;
 using conformal::Vector3;
+using fixtures::AllProjections;
 using fixtures::egg;
+using fixtures::seenFrom;
 
 namespace
 {
-SphericalTextureOptions seenFrom(const Vector3& direction, const Vector3& up)
-{
-  return fixtures::seenFrom<SphericalTextureOptions>(direction, up);
-}
-
-const SphereProjection AllProjections[] = { SphereProjection::Stereographic,
-  SphereProjection::LongitudeLatitude, SphereProjection::Octahedral, SphereProjection::CubeMap };
-
 double signedArea(const SphericalTexture& texture, Index triangle)
 {
   const auto at = [&](int k)
@@ -65,26 +59,26 @@ TEST(SphericalTexture, DoesNotDependOnCoordinates)
   const auto sphere = conformal::makeGeodesicSphere(10);
   const Points model = egg(sphere.Positions);
   const Vector3 direction(1, 0.4, 2), up(0.1, 1, 0);
-  const SphericalTexture texture =
-    makeSphericalTexture(model, sphere.Triangles, sphere.Positions, seenFrom(direction, up));
+  const SphericalTexture texture = makeSphericalTexture(
+    model, sphere.Triangles, sphere.Positions, seenFrom<SphericalTextureOptions>(direction, up));
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(2.1, Vector3(3, 1, -1).normalized()).toRotationMatrix();
 
   Points turned = 1e150 * (model * turn.transpose());
   turned.rowwise() += Eigen::RowVector3d(3e150, 0, -1e150);
-  const SphericalTexture ofTurned = makeSphericalTexture(
-    turned, sphere.Triangles, sphere.Positions, seenFrom(turn * direction, turn * up));
+  const SphericalTexture ofTurned = makeSphericalTexture(turned, sphere.Triangles, sphere.Positions,
+    seenFrom<SphericalTextureOptions>(turn * direction, turn * up));
   EXPECT_LT((ofTurned.Coordinates - texture.Coordinates).cwiseAbs().maxCoeff(), 1e-11);
 
   const Points turnedSphere = sphere.Positions * turn.transpose();
-  const SphericalTexture onTurned =
-    makeSphericalTexture(model, sphere.Triangles, turnedSphere, seenFrom(direction, up));
+  const SphericalTexture onTurned = makeSphericalTexture(
+    model, sphere.Triangles, turnedSphere, seenFrom<SphericalTextureOptions>(direction, up));
   EXPECT_LT((onTurned.Coordinates - texture.Coordinates).cwiseAbs().maxCoeff(), 1e-11);
 
   Points mirrored = sphere.Positions;
   mirrored.col(1) *= -1.0;
-  const SphericalTexture onMirrored =
-    makeSphericalTexture(model, sphere.Triangles, mirrored, seenFrom(direction, up));
+  const SphericalTexture onMirrored = makeSphericalTexture(
+    model, sphere.Triangles, mirrored, seenFrom<SphericalTextureOptions>(direction, up));
   EXPECT_LT((onMirrored.Coordinates - texture.Coordinates).cwiseAbs().maxCoeff(), 1e-11);
 }
 
@@ -96,8 +90,8 @@ TEST(SphericalTexture, IsNotMirroredOnAModel)
   for (const Vector3& direction : { Vector3(0, 0, 1), Vector3(1, 1, -1), Vector3(-2, 0.5, 0.2) })
   {
     const Vector3 up(0.2, 1, 0.1), right = up.cross(direction).normalized();
-    const SphericalTexture texture =
-      makeSphericalTexture(model, sphere.Triangles, sphere.Positions, seenFrom(direction, up));
+    const SphericalTexture texture = makeSphericalTexture(
+      model, sphere.Triangles, sphere.Positions, seenFrom<SphericalTextureOptions>(direction, up));
     const Vector3 upright = direction.cross(right).normalized();
     double alongRight = 0.0, alongUp = 0.0, across = 0.0;
     for (Index i = 0; i < model.rows(); ++i)
@@ -164,7 +158,7 @@ TEST(SphericalTexture, StaysFiniteOnDegenerateModels)
 TEST(SphericalTexture, SplitTrianglesShowWhatBelongsThere)
 {
   const auto sphere = conformal::makeGeodesicSphere(24);
-  SphericalTextureOptions options = seenFrom({ 1, 0.4, 2 }, { 0.1, 1, 0 });
+  SphericalTextureOptions options = seenFrom<SphericalTextureOptions>({ 1, 0.4, 2 }, { 0.1, 1, 0 });
   options.SplitSeam = true;
   for (double margin : { 0.0, 0.1 })
   {
@@ -217,7 +211,8 @@ TEST(SphericalTexture, SplitKeepsTheSurface)
   {
     for (SphereProjection projection : AllProjections)
     {
-      SphericalTextureOptions options = seenFrom({ 1, 0.4, 2 }, { 0.1, 1, 0 });
+      SphericalTextureOptions options =
+        seenFrom<SphericalTextureOptions>({ 1, 0.4, 2 }, { 0.1, 1, 0 });
       options.SplitSeam = true;
       options.Projection = projection;
       options.Wrap = wrap;
@@ -255,7 +250,8 @@ TEST(SphericalTexture, SplitLeavesNoCracks)
   const auto sphere = conformal::makeGeodesicSphere(10);
   for (SphereProjection projection : AllProjections)
   {
-    SphericalTextureOptions options = seenFrom({ 1, 0.4, 2 }, { 0.1, 1, 0 });
+    SphericalTextureOptions options =
+      seenFrom<SphericalTextureOptions>({ 1, 0.4, 2 }, { 0.1, 1, 0 });
     options.SplitSeam = true;
     options.Projection = projection;
     options.Wrap =

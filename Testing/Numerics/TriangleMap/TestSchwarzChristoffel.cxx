@@ -59,7 +59,7 @@ FlatTriangle fromAngles(double a, double b)
     std::polar(std::sin(Pi * b), Pi * a) } };
 }
 
-class Random
+class RandomTriangles
 {
 public:
   double number() { return this->Uniform(this->Engine); }
@@ -110,7 +110,7 @@ double distance(const Vector3& a, const Vector3& b)
 
 TEST(SchwarzChristoffel, VerticesGoToVertices)
 {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 200; ++i)
   {
     const TriangleShape from = random.triangle(Degree).shape(),
@@ -125,7 +125,7 @@ TEST(SchwarzChristoffel, VerticesGoToVertices)
 // With the corner opposite sent to infinity the map along an edge is the incomplete beta function.
 TEST(SchwarzChristoffel, EdgesAgreeWithTheIncompleteBetaFunction)
 {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 2000; ++i)
   {
     const TriangleShape from = random.triangle(Degree).shape(),
@@ -154,7 +154,7 @@ TEST(SchwarzChristoffel, EdgesAgreeWithTheIncompleteBetaFunction)
 // Each corner has constants and a series of its own.
 TEST(SchwarzChristoffel, TheThreeCornersAgreeAtTheirCommonPoint)
 {
-  Random random;
+  RandomTriangles random;
   const Complex center(0.0, 2.0 - std::sqrt(3.0));
   for (int i = 0; i < 1000; ++i)
   {
@@ -179,7 +179,7 @@ TEST(SchwarzChristoffel, TheCenterOfAnEquilateralTriangleIsTheHalfDisks)
 
 TEST(SchwarzChristoffel, GoesThereAndBack)
 {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 50000; ++i)
   {
     const TriangleShape from = random.triangle(Degree).shape(),
@@ -196,7 +196,7 @@ TEST(SchwarzChristoffel, GoesThereAndBack)
 
 TEST(SchwarzChristoffel, SimilarTrianglesMapByIdentity)
 {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 1000; ++i)
   {
     const FlatTriangle triangle = random.triangle(Degree);
@@ -212,7 +212,7 @@ TEST(SchwarzChristoffel, SimilarTrianglesMapByIdentity)
 
 TEST(SchwarzChristoffel, MirroredTrianglesMapToMirroredPoints)
 {
-  Random random;
+  RandomTriangles random;
   const auto mirrored = [](FlatTriangle triangle)
   {
     std::swap(triangle.Corners[1], triangle.Corners[2]);
@@ -232,7 +232,7 @@ TEST(SchwarzChristoffel, MirroredTrianglesMapToMirroredPoints)
 // Complex differences in two directions: the derivative's values, and Cauchy-Riemann.
 TEST(SchwarzChristoffel, IsAnalyticWithTheDerivativeStated)
 {
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 2000; ++i)
   {
     const FlatTriangle from = random.triangle(10.0 * Degree), to = random.triangle(10.0 * Degree);
@@ -266,7 +266,7 @@ TEST(SchwarzChristoffel, IsAnalyticWithTheDerivativeStated)
 
 TEST(SchwarzChristoffel, NeedlesAreMappedThereAndBack)
 {
-  Random random;
+  RandomTriangles random;
   const TriangleShape network = fromAngles(0.31, 0.35).shape();
   for (const double height : { 1e-3, 1e-6, 1e-8 })
   {
@@ -289,7 +289,7 @@ TEST(SchwarzChristoffel, NeedlesAreMappedThereAndBack)
 
 TEST(SchwarzChristoffel, TakesAnyUnit)
 {
-  Random random;
+  RandomTriangles random;
   const FlatTriangle triangle = random.triangle(Degree);
   const TriangleShape network = fromAngles(0.31, 0.35).shape();
   const Vector3 point(0.5, 0.3, 0.2);
@@ -326,7 +326,7 @@ TEST(SchwarzChristoffel, TablesOfANetworkChangeNothing)
   const NetworkShapes shapes(sphere.Positions, sphere.Triangles);
   EXPECT_GE(shapes.numberOfTables(), 42);
   EXPECT_LE(shapes.numberOfTables(), 2 * 42);
-  Random random;
+  RandomTriangles random;
   for (int i = 0; i < 20000; ++i)
   {
     const Index r =
@@ -353,7 +353,7 @@ TEST(SchwarzChristoffel, NetworksShareTheShapesOfAFineLattice)
 
 TEST(SchwarzChristoffel, NetworksMayHaveAnyTriangles)
 {
-  Random random;
+  RandomTriangles random;
   Points positions(60, 3);
   Triangles triangles(20, 3);
   std::vector<FlatTriangle> flat;

@@ -25,6 +25,7 @@ using conformal::ConformalSOMResult;
 using conformal::Index;
 using conformal::MappedMesh;
 using conformal::MeshType;
+using conformal::Pi;
 using conformal::Points;
 using conformal::trainConformalSOM;
 using conformal::TrainingSamples;
@@ -32,8 +33,6 @@ using conformal::Vector3;
 
 namespace
 {
-const double Pi = std::acos(-1.0);
-
 Vector3 direction(conformal::Random& random)
 {
   const double z = 2.0 * random.uniform() - 1.0, angle = 2.0 * Pi * random.uniform();

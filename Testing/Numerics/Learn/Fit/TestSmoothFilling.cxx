@@ -19,11 +19,11 @@ using conformal::TrainingSamples;
 namespace
 {
 constexpr double Lowest = -0.85; // samples are above this height
-constexpr Index Size = 20000;
+constexpr Index NumberOfSamples = 20000;
 
 const Points& samplesWithHole()
 {
-  static const Points points = sheets::pointsAbove(Lowest, Size, 3);
+  static const Points points = sheets::pointsAbove(Lowest, NumberOfSamples, 3);
   return points;
 }
 
@@ -57,7 +57,7 @@ TEST(SmoothFilling, AHoleGetsTheCurvatureAroundIt)
 
 TEST(SmoothFilling, WithoutGapsNothingMoves)
 {
-  const Points all = sheets::pointsAbove(-1.0, Size, 3);
+  const Points all = sheets::pointsAbove(-1.0, NumberOfSamples, 3);
   const TrainingSamples samples(all);
   Mesh mesh = conformal::makeGeodesicSphere(20);
   mesh.Positions = samples.normalizeAll(mesh.Positions);
