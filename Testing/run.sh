@@ -10,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Testing/steps.sh
 
 install
-configure dev -DCMAKE_UNITY_BUILD=ON # half of the time to compile
+configure dev -DCMAKE_UNITY_BUILD=ON # saves up to half of the time to compile
 build dev
 failed=0
 run_tests dev "$@" || failed=$?
