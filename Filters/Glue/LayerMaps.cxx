@@ -70,7 +70,7 @@ void PlaceImage(vtkImageData* image, const LayeredSurface& surface, const confor
   const double area = conformal::surfaceArea(surface.Mesh.Positions, surface.Mesh.Triangles);
   const bool isInDegrees = map.Projection == conformal::MapProjection::Equirectangular;
   const double areaOfMap = 4.0 * conformal::Pi * map.CapsuleAspect; // of the sphere or capsule
-  double scale = std::sqrt(area / areaOfMap) * (isInDegrees ? conformal::Pi / 180 : 1);
+  double scale = std::sqrt(area / areaOfMap) * (isInDegrees ? conformal::Degree : 1);
   LengthsFromFrame(&scale, 1, frame, "the spacing of the map");
   const conformal::Vector2 half = scale * map.halfSize();
   const double across = 2.0 * half[0] / double(map.Grid.Width),

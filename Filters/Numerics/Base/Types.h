@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry> // cross products
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace conformal
@@ -31,6 +33,12 @@ constexpr int next(int corner)
 constexpr int previous(int corner)
 {
   return corner == 0 ? 2 : corner - 1;
+}
+
+/// Return two ids in ascending order. An edge has the same ids in both of its triangles.
+inline std::array<int, 2> sortedIds(int a, int b)
+{
+  return { std::min(a, b), std::max(a, b) };
 }
 
 /// Compute the cross product of two vectors of the plane.

@@ -55,11 +55,11 @@ double turn(const Vector2& a, const Vector2& b, const Vector2& c)
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// Remaining polygon while ears are clipped.
-class Outline
+// What remains of a polygon while ears are clipped
+class RemainingPolygon
 {
 public:
-  explicit Outline(std::vector<Vector2> corners)
+  explicit RemainingPolygon(std::vector<Vector2> corners)
     : Corners(std::move(corners))
     , Next(this->Corners.size())
     , Previous(this->Corners.size())
@@ -171,26 +171,26 @@ Triangles triangulatePolygon(const Points& corners)
   {
     return Triangles(0, 3);
   }
-  Outline ring(std::move(flat));
+  RemainingPolygon polygon(std::move(flat));
   Triangles triangles(count - 2, 3);
   int i = 0;
   Index misses = 0;
   for (Index cut = 0; cut + 3 < count;)
   {
-    if (ring.isEar(i))
+    if (polygon.isEar(i))
     {
-      triangles.row(cut++) << ring.previous(i), i, ring.next(i);
-      ring.cut(i);
-      i = ring.next(i); // skip the neighbor: fans make thin triangles
+      triangles.row(cut++) << polygon.previous(i), i, polygon.next(i);
+      polygon.cut(i);
+      i = polygon.next(i); // skip the neighbor: fans make thin triangles
       misses = 0;
     }
     else if (++misses > count - cut)
     {
       return Triangles(0, 3);
     }
-    i = ring.next(i);
+    i = polygon.next(i);
   }
-  triangles.row(count - 3) << ring.previous(i), i, ring.next(i);
+  triangles.row(count - 3) << polygon.previous(i), i, polygon.next(i);
   return triangles;
 }
 }

@@ -16,11 +16,6 @@ namespace
 using Corners = std::array<int, 3>;
 using Edge = std::array<int, 2>;
 
-Edge sorted(int a, int b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
 // Triangulation that grows by points and changes by flips.
 class Split
 {
@@ -78,7 +73,7 @@ public:
       this->set(across.Part, { point, a, d });
       this->set(this->size(), { point, b, c });
       this->set(this->size(), { b, point, d });
-      this->makeDelaunay({ sorted(b, c), sorted(c, a), sorted(a, d), sorted(d, b) });
+      this->makeDelaunay({ sortedIds(b, c), sortedIds(c, a), sortedIds(a, d), sortedIds(d, b) });
       return;
     }
     if (!(largest > Smallest))
@@ -88,12 +83,12 @@ public:
     this->set(best.Part, { a, b, point });
     this->set(this->size(), { b, c, point });
     this->set(this->size(), { c, a, point });
-    this->makeDelaunay({ sorted(a, b), sorted(b, c), sorted(c, a) });
+    this->makeDelaunay({ sortedIds(a, b), sortedIds(b, c), sortedIds(c, a) });
   }
 
   void connect(int a, int b)
   {
-    this->Fixed.insert(sorted(a, b));
+    this->Fixed.insert(sortedIds(a, b));
     std::deque<Edge> crossing;
     for (const Corners& part : this->Parts)
     {
@@ -131,7 +126,7 @@ public:
     std::vector<Edge> edges;
     for (const auto& entry : this->Places)
     {
-      edges.push_back(sorted(entry.first[0], entry.first[1]));
+      edges.push_back(sortedIds(entry.first[0], entry.first[1]));
     }
     this->makeDelaunay(std::move(edges));
   }
@@ -172,8 +167,8 @@ private:
       {
         for (const int end : edge)
         {
-          edges.push_back(sorted(end, other[0]));
-          edges.push_back(sorted(end, other[1]));
+          edges.push_back(sortedIds(end, other[0]));
+          edges.push_back(sortedIds(end, other[1]));
         }
       }
     }
@@ -249,7 +244,7 @@ private:
     this->Places.erase({ edge[1], edge[0] });
     this->set(left.Part, { edge[0], d, c });
     this->set(right.Part, { d, edge[1], c });
-    return sorted(c, d);
+    return sortedIds(c, d);
   }
 
   const std::vector<Eigen::Vector2d>& Positions;

@@ -23,11 +23,6 @@ namespace
 using Ids = std::array<int, 3>;
 using Pair = std::array<int, 2>;
 
-Pair sortedPair(int a, int b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
-
 // Triangle of the mesh, or a piece of one.
 struct Piece
 {
@@ -171,7 +166,7 @@ public:
     {
       for (const Pair& ends : segments)
       {
-        curves.insert(sortedPair(this->First + ends[0], this->First + ends[1]));
+        curves.insert(sortedIds(this->First + ends[0], this->First + ends[1]));
       }
     }
     std::map<std::pair<int, Pair>, int> first; // first piece at each edge of each part
@@ -181,7 +176,7 @@ public:
       const Piece& piece = this->Pieces[i];
       for (int k = 0; k < 3; ++k)
       {
-        const Pair edge = sortedPair(piece.Corners[k], piece.Corners[next(k)]);
+        const Pair edge = sortedIds(piece.Corners[k], piece.Corners[next(k)]);
         if (curves.count(edge) == 0)
         {
           const auto found = first.emplace(std::make_pair(piece.Part, edge), static_cast<int>(i));
@@ -230,7 +225,7 @@ private:
       for (int k = 0; k < 3; ++k)
       {
         const Ids& ids = this->Pieces[pair[0]].Corners;
-        const int piercing = this->piercingOf(sortedPair(ids[k], ids[next(k)]), pair[1]);
+        const int piercing = this->piercingOf(sortedIds(ids[k], ids[next(k)]), pair[1]);
         if (piercing >= 0)
         {
           if (count == 2)
@@ -290,7 +285,7 @@ private:
         for (int k = 0; k < 3; ++k)
         {
           const int from = piece.Corners[k], to = piece.Corners[next(k)];
-          if (sortedPair(from, to) == p.Edge)
+          if (sortedIds(from, to) == p.Edge)
           {
             onEdges[k].emplace_back(
               from < to ? p.Fraction : 1.0 - p.Fraction, static_cast<int>(ids.size()));
@@ -504,7 +499,7 @@ private:
     std::set<Pair> crossing;
     for (const Pair& pair : selfIntersections(pointsOf(positions), trianglesOf(pieces), run))
     {
-      const Pair both = sortedPair(pieces[pair[0]].Part, pieces[pair[1]].Part);
+      const Pair both = sortedIds(pieces[pair[0]].Part, pieces[pair[1]].Part);
       if (both[0] != both[1] && this->Failed.count(both) == 0 &&
         this->Solids.count(both[0]) + this->Solids.count(both[1]) > 0)
       {

@@ -4,6 +4,7 @@
 #include "../Bytes/ParsedArrays.h"
 #include "../Bytes/Pieces.h"
 #include "../Bytes/WrittenSurfaces.h"
+#include "Refusals.h"
 #include "SPHARMMeshSamples.h"
 
 using conformal::ParseCode;
@@ -38,16 +39,6 @@ void ExpectTetrahedron(const SurfaceResult& result)
   EXPECT_EQ(samples::polygonIds(result.Data), (Ids{ 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 }));
   EXPECT_TRUE(result.Data.PointArrays.empty());
 }
-
-void ExpectMeshRefused(
-  const std::string& bytes, ParseCode code, std::uint64_t line, const std::string& part)
-{
-  const SurfaceResult result = parsedMesh(bytes);
-  EXPECT_EQ(result.Status.Code, code) << result.Status.text();
-  EXPECT_EQ(result.Status.Line, line) << result.Status.text();
-  EXPECT_NE(result.Status.Message.find(part), std::string::npos) << result.Status.text();
-  EXPECT_EQ(result.Data.Points.Values.size(), 0u);
-}
 }
 
 TEST(SPHARMMesh, EveryKindOfFileIsRead)
@@ -73,16 +64,18 @@ TEST(SPHARMMesh, EveryKindOfFileIsRead)
 TEST(SPHARMMesh, BadFilesAreRefusedWithTheirLine)
 {
   const std::string& mesh = samples::SPHARMMesh();
-  ExpectMeshRefused("", ParseCode::PrematureEnd, 1, "empty");
-  ExpectMeshRefused("hello", ParseCode::UnrecognizedType, 1, "# vtk DataFile Version");
-  ExpectMeshRefused(replaced(mesh, "float", "int"), ParseCode::Malformed, 5, "float or double");
-  ExpectMeshRefused(replaced(mesh, "1.5", "nan"), ParseCode::Malformed, 6, "not finite");
-  ExpectMeshRefused(replaced(mesh, "3 0 1 3", "3 0 1 4"), ParseCode::Malformed, 11, "found id 4");
-  ExpectMeshRefused(
-    replaced(mesh, "POLYGONS 4 16", "TRIANGLE_STRIPS 4 16"), ParseCode::Malformed, 9, "POLYGONS");
-  ExpectMeshRefused(
-    replaced(mesh, "POINTS 4", "POINTS 4000000000000"), ParseCode::Malformed, 5, "");
-  ExpectMeshRefused(mesh.substr(0, 88), ParseCode::PrematureEnd, 5, "");
+  ExpectRefused(parsedMesh(""), ParseCode::PrematureEnd, 1, "empty");
+  ExpectRefused(parsedMesh("hello"), ParseCode::UnrecognizedType, 1, "# vtk DataFile Version");
+  ExpectRefused(
+    parsedMesh(replaced(mesh, "float", "int")), ParseCode::Malformed, 5, "float or double");
+  ExpectRefused(parsedMesh(replaced(mesh, "1.5", "nan")), ParseCode::Malformed, 6, "not finite");
+  ExpectRefused(
+    parsedMesh(replaced(mesh, "3 0 1 3", "3 0 1 4")), ParseCode::Malformed, 11, "found id 4");
+  ExpectRefused(parsedMesh(replaced(mesh, "POLYGONS 4 16", "TRIANGLE_STRIPS 4 16")),
+    ParseCode::Malformed, 9, "POLYGONS");
+  ExpectRefused(
+    parsedMesh(replaced(mesh, "POINTS 4", "POINTS 4000000000000")), ParseCode::Malformed, 5, "");
+  ExpectRefused(parsedMesh(mesh.substr(0, 88)), ParseCode::PrematureEnd, 5, "");
   for (const std::string& bad : samples::BadSPHARMMeshFiles())
   {
     EXPECT_FALSE(parsedMesh(bad).Status.ok()) << bad;

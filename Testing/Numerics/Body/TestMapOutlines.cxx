@@ -13,6 +13,7 @@
 #include <limits>
 #include <stdexcept>
 
+using conformal::Degree;
 using conformal::Index;
 using conformal::MapImage;
 using conformal::MapOutline;
@@ -27,8 +28,6 @@ using spheres::mapped;
 
 namespace
 {
-constexpr double Degree = Pi / 180.0;
-
 SurfaceOutline measured(
   const MappedMesh& body, const MapImage& image, std::vector<Vector2> corners, bool isClosed)
 {
