@@ -4,9 +4,9 @@
     PYTHONPATH=build/dev/python:Examples/Python Documentation/check_figures.py --scans FOLDER [--renew] [GUIDE ...]
     Documentation/check_figures.py --age [GUIDE ...]
 
-A comment on the line before a table of a guide names the command:
+A comment on the line before a table of a guide names the command, and the commit at which its rows were last printed:
 
-    <!-- figures: Testing/Benchmarks/measure_geodesics.py SCANS/spot.ply -->
+    <!-- figures at 20020753: Testing/Benchmarks/measure_geodesics.py SCANS/spot.ply -->
     | surface | points | ...
 
 SCANS stands for the folder of scans. The script runs from the folder of the project, and prints Markdown tables or
@@ -16,9 +16,11 @@ earlier version, are not compared. Two numbers agree if they differ by at most T
 unit of the last printed digit. Names of rows are not compared, and no columns of times and memory, since they depend on
 the machine: those whose titles contain CPU, seconds, time, ms, MB or MiB. Exit status 1 if a row differs.
 
---renew     replace tables by the printed ones
+--renew     replace tables by the printed ones, with the commit; of the code, the last commit that changed it
+--stamp     write the commit before the tables that agree with the printed ones, and keep their rows
 --only      run only commands that contain this text
---age       run nothing: list the tables, and the number of commits to Filters since the last change of each one
+--age       run nothing: list the tables, and how many commits have changed the code since each was printed, or
+            where no commit is named, since its rows were last edited
 """
 import argparse
 import glob
@@ -30,7 +32,8 @@ import sys
 from typing import NamedTuple
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-MARK = re.compile(r"\s*<!-- figures: (.*?) -->\s*$")
+CODE = ["Filters", "IO"]  # folders of what is measured
+MARK = re.compile(r"(\s*)<!-- figures(?: at ([0-9a-f]+))?: (.*?) -->\s*$")
 OF_THE_MACHINE = re.compile(r"\b(CPU|seconds|time|ms|s|MB|MiB)\b")
 ROUNDING = 1e-11  # smaller differences are not compared
 NUMBER = re.compile(r"[-+]?\d[\d,]*\.?\d*(?:e[-+]?\d+)?")
@@ -39,6 +42,8 @@ NUMBER = re.compile(r"[-+]?\d[\d,]*\.?\d*(?:e[-+]?\d+)?")
 class Table(NamedTuple):
     """A table of a guide: lines [begin, end) without the comment."""
     guide: str
+    indent: str
+    commit: str  # of the last run, or None
     command: str
     begin: int
     end: int
@@ -64,7 +69,7 @@ def marked_tables(guide):
     for begin, end in tables_in(lines):
         mark = MARK.match(lines[begin - 1]) if begin else None
         if mark:
-            yield Table(guide, mark.group(1), begin, end, lines[begin:end])
+            yield Table(guide, *mark.groups(), begin, end, lines[begin:end])
 
 
 def cells(line):
@@ -158,29 +163,40 @@ def run(command, scans):
 
 
 def renewed(table, printed):
-    """Lines of the table with what is printed, indented as before."""
+    """Lines of the table with what is printed, indented as before; None if it does not suit."""
     columns = printed_columns(table, printed)
     titles, _, *rows = (cells(line) for line in table.lines)
     titles = numbered(titles)
     if columns is None:
-        return table.lines
+        return None
     count = len(next(iter(columns.values())))
     if set(titles) - set(columns) and count != len(rows):
-        return table.lines
-    indent = re.match(r"\s*", table.lines[0]).group()
+        return None
     short = "e-0" not in "".join(table.lines)
-    new = [f"{indent}| " + " | ".join(columns[title][number] if title in columns else rows[number][column]
+    new = [f"{table.indent}| " + " | ".join(columns[title][number] if title in columns else rows[number][column]
                                       for column, title in enumerate(titles)) + " |" for number in range(count)]
     return [*table.lines[:2], *(re.sub(r"(?<=\de[-+])0(?=\d)", "", row) if short else row for row in new)]
 
 
-def renew(guide, outputs):
-    """Replace tables of a guide by printed ones. The guide is read again: it may have changed while commands ran."""
+def renew(guide, outputs, tolerance=None):
+    """
+    Replace tables of a guide by printed ones, or with a tolerance, keep those that agree; name the commit. The guide is
+    read again: it may have changed while commands ran.
+    """
     with open(guide, encoding="utf-8") as file:
         lines = file.read().split("\n")
+    commit = git("log", "-1", "--format=%h", "--", *CODE).strip()
     for table in reversed(list(marked_tables(guide))):
-        if table.command in outputs:
-            lines[table.begin:table.end] = renewed(table, outputs[table.command])
+        printed = outputs.get(table.command)
+        if printed is None:
+            continue
+        if tolerance is None:
+            rows = renewed(table, printed)
+        else:
+            rows = None if any(differences(table, printed, tolerance)) else table.lines
+        if rows is not None:
+            mark = f"{table.indent}<!-- figures at {commit}: {table.command} -->"
+            lines[table.begin - 1:table.end] = [mark, *rows]
     with open(guide, "w", encoding="utf-8") as file:
         file.write("\n".join(lines))
 
@@ -191,10 +207,14 @@ def git(*words):
 
 def print_ages(tables):
     for table in tables:
-        blame = git("blame", "--line-porcelain", "-L", f"{table.begin + 1},{table.end}", "--", table.guide)
-        last = max(int(time) for time in re.findall(r"^committer-time (\d+)", blame, re.M))
-        commits = git("rev-list", "--count", f"--since={last}", "HEAD", "--", "Filters").strip()
-        print(f"{os.path.basename(table.guide)}:{table.begin + 1}: {commits} commits to Filters since, {table.command}")
+        if table.commit:
+            since = [f"{table.commit}..HEAD"]
+        else:
+            blame = git("blame", "--line-porcelain", "-L", f"{table.begin + 1},{table.end}", "--", table.guide)
+            last = max(int(time) for time in re.findall(r"^committer-time (\d+)", blame, re.M))
+            since = [f"--since={last}", "HEAD"]
+        commits = git("rev-list", "--count", *since, "--", *CODE).strip()
+        print(f"{os.path.basename(table.guide)}:{table.begin + 1}: {commits} commits to the code since, {table.command}")
 
 
 def check(tables, options):
@@ -223,6 +243,7 @@ def main():
     parser.add_argument("--tolerance", type=float, default=0.05, help="default %(default)s")
     parser.add_argument("--only", default="", metavar="TEXT")
     parser.add_argument("--renew", action="store_true")
+    parser.add_argument("--stamp", action="store_true")
     parser.add_argument("--age", action="store_true")
     options = parser.parse_args()
     tables = [table for guide in options.guides for table in marked_tables(guide) if options.only in table.command]
@@ -230,9 +251,9 @@ def main():
         print_ages(tables)
         return 0
     outputs, stale = check(tables, options)
-    if options.renew:
+    if options.renew or options.stamp:
         for guide in dict.fromkeys(table.guide for table in tables):
-            renew(guide, outputs)
+            renew(guide, outputs, None if options.renew else options.tolerance)
     return 1 if stale and not options.renew else 0
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Tests of Documentation/check_figures.py, and that the commands of the guides' tables exist."""
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -48,6 +49,12 @@ class Figures(unittest.TestCase):
             with open(path, encoding="utf-8") as file:
                 return result.returncode, result.stdout, file.read().replace(printer, "PRINTER")
 
+    def run_stamping(self, *words, **named):
+        """As run_script, and whether the comment names the commit, which is taken away."""
+        code, text, guide = self.run_script(*words, **named)
+        unnamed = re.sub(r"figures at [0-9a-f]{7,}:", "figures:", guide)
+        return code, unnamed, unnamed != guide
+
     def test_equal_numbers_and_other_times_are_accepted(self):
         self.assertEqual(self.run_script(PRINTED.format("2.1 %")), (0, "1 tables, 0 differ\n", GUIDE))
 
@@ -61,9 +68,17 @@ class Figures(unittest.TestCase):
         self.assertIn("2 rows, but 3 are printed", self.run_script(PRINTED.format("2.0 % | 1.0 |\n| three | 1"))[1])
 
     def test_tables_are_renewed(self):
-        code, _, guide = self.run_script(PRINTED.format("2.5 %"), "--renew")
-        self.assertEqual(code, 0)
+        code, guide, stamped = self.run_stamping(PRINTED.format("2.5 %"), "--renew")
+        self.assertEqual((code, stamped), (0, True))
         self.assertEqual(guide, GUIDE.replace("1.02e-5 | 3.0", "1.00e-5 | 9.0").replace("**2.0 %**", "2.5 %"))
+
+    def test_the_commit_is_named_before_tables_that_agree(self):
+        self.assertEqual(self.run_stamping(PRINTED.format("2.1 %"), "--stamp"), (0, GUIDE, True))
+        self.assertEqual(self.run_stamping(PRINTED.format("2.5 %"), "--stamp"), (1, GUIDE, False))
+        stamped = GUIDE.replace("figures:", "figures at 0123abcd:")
+        self.assertEqual(self.run_script(PRINTED.format("2.5 %"), "--stamp", guide=stamped)[2], stamped)
+        renewed = self.run_script(PRINTED.format("2.1 %"), "--stamp", guide=stamped)[2]
+        self.assertEqual(renewed, self.run_script(PRINTED.format("2.1 %"), "--stamp")[2])
 
     def test_a_guide_that_changes_meanwhile_keeps_its_changes(self):
         edit = "text = open(GUIDE).read()\nopen(GUIDE, 'w').write('# New\\n' + text)"
@@ -75,7 +90,7 @@ class Figures(unittest.TestCase):
         code, text, _ = self.run_script(columns, guide=GUIDE_OF_COLUMNS)
         self.assertEqual((code, text.count("is printed")), (1, 1))
         self.assertIn("two, error: 2.00e-5, but 2.50e-05 is printed", text)
-        renewed = self.run_script(columns, "--renew", guide=GUIDE_OF_COLUMNS)[2]
+        renewed = self.run_stamping(columns, "--renew", guide=GUIDE_OF_COLUMNS)[1]
         expected = GUIDE_OF_COLUMNS.replace("2.00e-5", "2.50e-5").replace("1.01e-5", "1.00e-5")
         self.assertEqual(renewed, expected.replace("2.51e-5", "2.50e-5"))
 
@@ -85,7 +100,7 @@ class Figures(unittest.TestCase):
         printed = "| name | mean | largest | mean | largest |\n|---|---|---|---|---|\n| one | 1.0 | 2.0 | 3.0 | {} |"
         self.assertEqual(self.run_script(printed.format("4.0"), guide=guide)[:2], (0, "1 tables, 0 differ\n"))
         self.assertIn("one, largest: 4.0, but 9.0 is printed", self.run_script(printed.format("9.0"), guide=guide)[1])
-        renewed = self.run_script(printed.format("9.0"), "--renew", guide=guide)[2]
+        renewed = self.run_stamping(printed.format("9.0"), "--renew", guide=guide)[1]
         self.assertEqual(renewed, guide.replace("4.0", "9.0"))
 
     def test_commands_of_guides_exist(self):
