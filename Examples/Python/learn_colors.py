@@ -133,7 +133,7 @@ def main():
     held_out = np.arange(len(points)) % 5 == 4
     known, known_fields = points[~held_out], fields[~held_out]
     steps, scenes = Steps(), []
-    print("| neurons | colors | error | wrong | label | distance |\n| --- | --- | --- | --- | --- | --- |")
+    rows = ["| neurons | colors | error | wrong | label | distance |", "| --- | --- | --- | --- | --- | --- |"]
     for neurons in args.neurons:
         plain = learn(known, known_fields, neurons, 0.0, steps)
         joint = learn(known, known_fields, neurons, args.weight, steps)
@@ -143,10 +143,11 @@ def main():
                                        for name, kind in (("RGB", float), ("Field", int))))
         for name, (mesh, colors, labels) in results.items():
             error, wrong, label, distance = measure(mesh, colors, labels, points[held_out], fields[held_out])
-            print(f"| {neurons:,} | {name} | {error:.3f} | {100 * wrong:.1f} % | {100 * label:.1f} % | {distance:.5f} |",
-                  flush=True)
+            rows.append(f"| {neurons:,} | {name} | {error:.3f} | {100 * wrong:.1f} % | {100 * label:.1f} % "
+                        f"| {distance:.5f} |")
             if neurons == args.neurons[0]:
                 scenes.append(scene_of(mesh, colors, name))
+    print(*rows, sep="\n")
     if args.picture:
         pictures.write_side_by_side(args.picture, scenes, 3 * PANEL[0], PANEL[1])
 

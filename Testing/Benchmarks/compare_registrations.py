@@ -35,10 +35,10 @@ FAR = 0.25  # an error as from head to tail
 
 
 class SpherePlaces:
-    """A surface with a map, on which directions on the sphere are looked up, and distances of its landmarks."""
+    """A surface with a map, on which directions on the sphere are looked up."""
 
-    def __init__(self, points, triangles, sphere, distances):
-        self.points, self.triangles, self.distances = points, triangles, distances
+    def __init__(self, points, triangles, sphere):
+        self.points, self.triangles = points, triangles
         a, b, c = points[triangles.T]
         self.size = np.sqrt(0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
         a, b, c = sphere[triangles.T]
@@ -54,12 +54,12 @@ class SpherePlaces:
         corners = self.triangles[found]
         return corners, weights @ self.points[corners] / weights.sum()
 
-    def errors(self, directions):
-        """Of each landmark, from where its direction leads to the true one."""
+    def landmark_errors(self, directions, distances):
+        """From where each direction leads to the landmark, whose distances to all points are given, by the size."""
         result = []
-        for direction, distances in zip(directions, self.distances):
+        for direction, lengths in zip(directions, distances):
             corners, place = self.find(direction)
-            ways = distances[corners] + np.linalg.norm(self.points[corners] - place, axis=1)
+            ways = lengths[corners] + np.linalg.norm(self.points[corners] - place, axis=1)
             result.append(ways.min() / self.size)
         return np.array(result)
 
@@ -82,7 +82,8 @@ class Model(SpherePlaces):
         if not self.landmarks or not 0 <= min(self.landmarks) <= max(self.landmarks) < len(self.points):
             raise ValueError(f"{self.name}.landmarks: expected ids of the {len(self.points)} points of {self.name}.off")
         super().__init__(self.points, vtk_to_numpy(self.mapped.GetPolys().GetConnectivityArray()).reshape(-1, 3),
-                         sphere_of(self.mapped), [self.distances_from(point) for point in self.landmarks])
+                         sphere_of(self.mapped))
+        self.distances = [self.distances_from(point) for point in self.landmarks]
 
     def distances_from(self, point):
         """Lengths of the shortest ways along edges to all points."""
@@ -127,10 +128,13 @@ class Outcome:
         if args.write:
             write(registered, os.path.join(args.write, self.name + ".vtp"))
         field = registered.GetFieldData()
-        others = self.judge(fixed.errors(sphere_of(registered)[moving.landmarks]), given, unjudged)
+        errors = fixed.landmark_errors(sphere_of(registered)[moving.landmarks], fixed.distances)
+        others = self.judge(errors, given, unjudged)
         self.is_ambiguous = field.GetArray("Ambiguous").GetValue(0) == 1
-        self.second = (fixed.errors(sphere_of(second)[moving.landmarks])[others or given].mean()
-                       if second.GetNumberOfPoints() else np.inf)
+        self.second = np.inf
+        if second.GetNumberOfPoints():
+            errors = fixed.landmark_errors(sphere_of(second)[moving.landmarks], fixed.distances)
+            self.second = errors[others or given].mean()
         self.unmet = field.GetArray("LandmarkError").GetValue(0)
         self.stretch = field.GetArray("RegistrationStretch").GetValue(0)
         self.flips = max(field.GetArray("NumberOfFolds").GetValue(0), flips_of(registered, moving.triangles))
@@ -149,8 +153,8 @@ class TemplateOutcome(Outcome):
     def __init__(self, moving, fixed, given, unjudged, seconds):  # pylint: disable=super-init-not-called
         (model, surface), (other, other_surface) = moving, fixed
         self.name = model.name + "-" + other.name
-        on_sphere = SpherePlaces(other.points, other.triangles, sphere_of(other_surface), other.distances)
-        self.judge(on_sphere.errors(sphere_of(surface)[model.landmarks]), given, unjudged)
+        on_sphere = SpherePlaces(other.points, other.triangles, sphere_of(other_surface))
+        self.judge(on_sphere.landmark_errors(sphere_of(surface)[model.landmarks], other.distances), given, unjudged)
         field = surface.GetFieldData()
         self.is_ambiguous = field.GetArray("Ambiguous").GetValue(0) == 1
         self.second, self.seconds, self.flips = np.inf, seconds, flips_of(surface, model.triangles)

@@ -19,6 +19,7 @@ import compare_smoothing  # pylint: disable=wrong-import-position
 import harmonics_methods  # pylint: disable=wrong-import-position
 import map_methods  # pylint: disable=wrong-import-position
 import measure_poses  # pylint: disable=wrong-import-position
+import measure_time_series  # pylint: disable=wrong-import-position
 import scanner_noise  # pylint: disable=wrong-import-position
 from curvature_error import Curvature  # pylint: disable=wrong-import-position
 from known_objects import facet_normals, mismatch, rms, triangles_of  # pylint: disable=wrong-import-position
@@ -161,6 +162,18 @@ class TestBenchmarks(unittest.TestCase):
         for plane, expected in ((np.column_stack([7.0 * v, -7.0 * u]), (1.0, 1.0)),
                                 (np.column_stack([2.0 * u, v]), (np.sqrt(1.25), np.sqrt(2.0)))):
             np.testing.assert_allclose(stretch(x, triangles, plane), expected, rtol=1e-12)
+
+    def test_places_of_a_time_step_are_where_the_map_leads(self):
+        surface = sphere(20)
+        x = points_of(surface)
+        step = measure_time_series.Step(surface, x)
+        directions = 0.9 * x[::97] + 0.1 * x[1::97][:len(x[::97])]
+        found = step.places(directions)
+        cosines = (found * directions).sum(axis=1) / np.linalg.norm(found, axis=1) / np.linalg.norm(directions, axis=1)
+        self.assertGreater(cosines.min(), 1.0 - 1e-12)
+        normal, along = step.errors(1.01 * x[::97], x[::97])
+        self.assertLess(np.abs(normal - 1.0 / step.size).max(), 2e-3)
+        self.assertLess(along.max(), 0.1)
 
     def test_an_image_of_the_sphere_is_one_chart(self):
         surface = sphere(20)
