@@ -95,7 +95,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("scans", nargs="*", help="files of scans, besides the built-in objects")
     options = parser.parse_args()
-    print("| scan | plane | points | borders | K | flipped | circle | CPU | double |\n|" + " --- |" * 9)
+    print("| scan | plane | points | borders | K | flipped | circle | CPU | double, CPU |\n|" + " --- |" * 9)
     for name in ("bear", "dancer"):
         scan = builtin_figure.figure_cloud(figure=getattr(builtin_figure, name))
         measure(name, conformalsom.learn(scan).smooth(100000).polydata)
