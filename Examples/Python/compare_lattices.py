@@ -172,13 +172,13 @@ def main():
         parser.error("--noise must be at least 0 and less than 1")
     models = scan_files.read_models(args.model)
     columns = COLUMNS + (OF_SURFACE if args.surfaces else ()) + (("of noise",) if args.noise > 0.0 else ())
-    print(f"{'object':<24}{'mesh type':<10}" + "".join(f"{column:>10}" for column in columns))
+    print(f"{'object':<24}{'mesh type':<10}" + "".join(f"{column:>11}" for column in columns))
     for name, model in (models or {"bear": builtin_figure.figure_surface()}).items():
         rows, ratio = compared(model, args.frequency, args.points, args.noise, args.surfaces)
         for lattice, row in rows.items():
             if args.noise > 0.0:
                 row["of noise"] = np.sqrt(row["p2s"]) / args.noise
-            print(f"{name:<24}{lattice:<10}" + "".join(f"{value:>10.3g}" for value in row.values()))
+            print(f"{name:<24}{lattice:<10}" + "".join(f"{value:>11.3g}" for value in row.values()))
         print(f"{'':<24}Adaptive takes {ratio:.2f} of Geodesic's time")
     print("Lengths: the model's largest radius is 1. p2s, s2p: mean square distances of the model's\n"
           "vertices to the mesh, and of the mesh to the model. angle: mean smallest, in degrees. K: of\n"
