@@ -208,7 +208,7 @@ def measure_files(paths):
         print("pygeodesic is not installed; surfaces are not measured")
         return
     exact_rows, rival_rows = [], []
-    print("| surface | points | distances | paths | longer | largest | ms a path | vtkDijkstraGraphGeodesicPath |")
+    print("\n| surface | points | distances | paths | longer | largest | ms a path | vtkDijkstraGraphGeodesicPath |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     for path in paths:
         surface = paper_models.run(scan_files.scan_reader(str(path)))
