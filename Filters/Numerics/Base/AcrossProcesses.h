@@ -107,7 +107,7 @@ inline std::vector<double> maximum(const Reduce& reduce, const std::vector<doubl
 inline void inTurn(
   const Reduce& reduce, double* numbers, Index count, const std::function<void()>& goOn)
 {
-  if (reduce.NumberOfRanks == 1)
+  if (reduce.NumberOfRanks == 1 || count == 0) // nothing to send, and `numbers` may be null
   {
     goOn();
     return;
