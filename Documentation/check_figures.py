@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Run the commands that print the tables of the guides, and report rows that differ from what is printed.
 
-    PYTHONPATH=build/dev/python:Examples/Python Documentation/check_figures.py --scans FOLDER [--renew] [GUIDE ...]
+    PYTHONPATH=build/dev/python:Examples/Python Documentation/check_figures.py [--renew | --stamp] [GUIDE ...]
     Documentation/check_figures.py --age [GUIDE ...]
 
 A comment on the line before a table of a guide names the command, and the commit at which its rows were last printed:
@@ -174,7 +174,7 @@ def renewed(table, printed):
         return None
     short = "e-0" not in "".join(table.lines)
     new = [f"{table.indent}| " + " | ".join(columns[title][number] if title in columns else rows[number][column]
-                                      for column, title in enumerate(titles)) + " |" for number in range(count)]
+                                            for column, title in enumerate(titles)) + " |" for number in range(count)]
     return [*table.lines[:2], *(re.sub(r"(?<=\de[-+])0(?=\d)", "", row) if short else row for row in new)]
 
 
@@ -214,7 +214,8 @@ def print_ages(tables):
             last = max(int(time) for time in re.findall(r"^committer-time (\d+)", blame, re.M))
             since = [f"--since={last}", "HEAD"]
         commits = git("rev-list", "--count", *since, "--", *CODE).strip()
-        print(f"{os.path.basename(table.guide)}:{table.begin + 1}: {commits} commits to the code since, {table.command}")
+        place = f"{os.path.basename(table.guide)}:{table.begin + 1}"
+        print(f"{place}: {commits} commits to the code since, {table.command}")
 
 
 def check(tables, options):
@@ -242,9 +243,9 @@ def main():
     parser.add_argument("--scans", default="../shared/data", help="folder of scans, default %(default)s")
     parser.add_argument("--tolerance", type=float, default=0.05, help="default %(default)s")
     parser.add_argument("--only", default="", metavar="TEXT")
-    parser.add_argument("--renew", action="store_true")
-    parser.add_argument("--stamp", action="store_true")
-    parser.add_argument("--age", action="store_true")
+    modes = parser.add_mutually_exclusive_group()
+    for mode in ("--renew", "--stamp", "--age"):
+        modes.add_argument(mode, action="store_true")
     options = parser.parse_args()
     tables = [table for guide in options.guides for table in marked_tables(guide) if options.only in table.command]
     if options.age:
