@@ -286,7 +286,7 @@ class TestCompareRegistrations(unittest.TestCase):
     def test_errors_are_lengths_along_edges(self):
         model = compare_registrations.Model(os.path.join(self.folder, "turned.off"), 0.5)
         sphere = compare_registrations.sphere_of(model.mapped)
-        self.assertLess(model.errors(sphere[self.landmarks]).max(), 1e-7)
+        self.assertLess(model.landmark_errors(sphere[self.landmarks], model.distances).max(), 1e-7)
         corners = model.points[self.triangles]
         area = np.linalg.norm(
             np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2.0
@@ -296,7 +296,7 @@ class TestCompareRegistrations(unittest.TestCase):
         edges = np.linalg.norm(model.points[self.landmarks] - model.points[ends], axis=1) / np.sqrt(area)
         for part in (1.0, 0.25):
             places = (1.0 - part) * sphere[self.landmarks] + part * sphere[ends]
-            np.testing.assert_allclose(model.errors(places), part * edges, rtol=1e-6)
+            np.testing.assert_allclose(model.landmark_errors(places, model.distances), part * edges, rtol=1e-6)
 
     def test_a_turned_copy_has_no_error(self):
         run = self.run_script(self.folder, "--landmarks", "2", "6", "--both", "--each", "--set", "Frequency=8")
