@@ -175,7 +175,7 @@ TEST(StartSearch, TriesTheOtherHullWhereTheMapIsNotConformal)
 {
   const Vector3 middle(0.0, 0.0, 0.7), axes(0.035, 0.2, 0.4);
   constexpr double ball = 0.5, largest = 60.0; // above all inverse axes
-  conformal::Random random(1);
+  conformal::Random random(46);                // five of the seeds from 1 to 60 give such a hull
   conformal::Points points(5000, 3);
   for (Index i = 0; i < points.rows();)
   {

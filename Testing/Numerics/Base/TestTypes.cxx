@@ -1,12 +1,12 @@
 // What Eigen computes must not depend on the processor: see conformalBuild in the top
 // CMakeLists.txt.
-#include <Eigen/Core>
+#include "Base/Types.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-TEST(SameBits, RootsAndReciprocalsOfFloatsAreRounded)
+TEST(Types, RootsAndReciprocalsOfFloatsAreRounded)
 {
   // Estimates with one step of Newton's method differ in the last bit for some of these.
   for (int first = 1; first < 40000; first += 8)
@@ -24,7 +24,7 @@ TEST(SameBits, RootsAndReciprocalsOfFloatsAreRounded)
   }
 }
 
-TEST(SameBits, BlocksOfProductsDoNotFollowTheCaches)
+TEST(Types, BlocksOfProductsDoNotFollowTheCaches)
 {
   EXPECT_EQ(Eigen::l1CacheSize(), Eigen::internal::defaultL1CacheSize);
   EXPECT_EQ(Eigen::l2CacheSize(), Eigen::internal::defaultL2CacheSize);
