@@ -32,7 +32,7 @@ import sys
 from typing import NamedTuple
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-CODE = ["Filters", "IO"]  # folders of what is measured
+CODE = ["CMakeLists.txt", "Filters", "IO"]  # what is measured
 MARK = re.compile(r"(\s*)<!-- figures(?: at ([0-9a-f]+))?: (.*?) -->\s*$")
 OF_THE_MACHINE = re.compile(r"\b(CPU|seconds|time|ms|s|MB|MiB)\b")
 ROUNDING = 1e-11  # smaller differences are not compared
