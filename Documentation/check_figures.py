@@ -158,7 +158,7 @@ def run(command, scans):
         result = subprocess.run([sys.executable, *words], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
         if result.returncode:
             raise RuntimeError(f"exit status {result.returncode}")
-        text += result.stdout
+        text += result.stdout + "\n"  # which ends a table
     return printed_tables(text)
 
 

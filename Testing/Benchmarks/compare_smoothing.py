@@ -172,8 +172,8 @@ def main():
     parser.add_argument("--depths", default="8,9", help="of Poisson's octree")
     parser.add_argument("--scans", default="../shared/data", help="folder of the scans")
     arguments = parser.parse_args()
-    print(f"{'object':13}{'s':>7}  {'method':23}{'normals':>8}{'off':>10}{'p2s':>10}{'curvature':>10}{'triangles':>10}"
-          f"{'pieces':>7}{'seconds':>8}")
+    print(f"{'object':13}{'s':>7}  {'method':20}{'normals':>9}{'off':>10}{'p2s':>10}{'curvature':>11}{'triangles':>11}"
+          f"{'pieces':>8}{'seconds':>9}")
     for name in arguments.objects.split(","):
         truth = known_object(name, arguments.scans, arguments.points)
         mesh, normals = truth.mesh(), truth.normals(truth.points)
@@ -184,9 +184,9 @@ def main():
             points = truth.points / radius + s * np.random.default_rng(101).normal(size=truth.points.shape)
             for method, surface, seconds in surfaces(points, normals, map(int, arguments.depths.split(","))):
                 off, p2s, angle = mismatch(surface, mesh)
-                print(f"{name:13}{s:7.4f}  {method:23}{angle:8.2f}{off:10.2e}{p2s:10.2e}"
-                      f"{curvature_error(surface, curvature):10.2f}{surface.GetNumberOfPolys():10,}{pieces(surface):7}"
-                      f"{seconds:8.1f}", flush=True)
+                print(f"{name:13}{s:7.4f}  {method:20}{angle:9.2f}{off:10.2e}{p2s:10.2e}"
+                      f"{curvature_error(surface, curvature):11.2f}{surface.GetNumberOfPolys():11,}{pieces(surface):8}"
+                      f"{seconds:9.1f}", flush=True)
 
 
 if __name__ == "__main__":

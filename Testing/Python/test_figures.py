@@ -94,6 +94,12 @@ class Figures(unittest.TestCase):
         expected = GUIDE_OF_COLUMNS.replace("2.00e-5", "2.50e-5").replace("1.01e-5", "1.00e-5")
         self.assertEqual(renewed, expected.replace("2.51e-5", "2.50e-5"))
 
+    def test_tables_that_commands_print_one_after_the_other_are_joined(self):
+        table = "| name | error |\n|---|---|\n| one | 1.00e-5 |\n| two | 2.00e-5 |"
+        _, text, _ = self.run_script(table, guide=GUIDE_OF_COLUMNS)
+        self.assertEqual(text.count("is printed"), 1)
+        self.assertIn("two, error: 2.51e-5, but 2.00e-5 is printed", text)
+
     def test_columns_of_one_title_are_compared_in_their_order(self):
         guide = "<!-- figures: PRINTER -->\n| name | mean | largest | mean | largest |\n|---|---|---|---|---|\n" \
             "| one | 1.0 | 2.0 | 3.0 | 4.0 |\n"
