@@ -306,9 +306,13 @@ inline void TriangleTree::update(FootPoint& best, const Vector3& x, int place) c
   }
 }
 
-// The loops over lanes are inlined into both clones.
-__attribute__((target_clones("avx2", "default"))) FootPoint TriangleTree::closestPoint(
-  const Vector3& x, int hint) const
+// The loops over lanes are inlined into both clones. Only GCC with the GNU C library compiles
+// clones that the loader chooses from; clang 14 does, but other files cannot link to them.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+__attribute__((target_clones("avx2", "default")))
+#endif
+FootPoint
+TriangleTree::closestPoint(const Vector3& x, int hint) const
 {
   FootPoint best;
   if (this->Nodes.empty())
