@@ -36,6 +36,7 @@ CODE = ["CMakeLists.txt", "Filters", "IO"]  # what is measured
 MARK = re.compile(r"(\s*)<!-- figures(?: at ([0-9a-f]+))?: (.*?) -->\s*$")
 OF_THE_MACHINE = re.compile(r"\b(CPU|seconds|time|ms|s|MB|MiB)\b")
 ROUNDING = 1e-11  # smaller differences are not compared
+SEPARATOR = re.compile(r"\s*\|(\s*:?-+:?\s*\|)+\s*$")  # line after the titles of a table
 NUMBER = re.compile(r"[-+]?\d[\d,]*\.?\d*(?:e[-+]?\d+)?")
 
 
@@ -51,15 +52,15 @@ class Table(NamedTuple):
 
 
 def tables_in(lines):
-    """Begin and end of each Markdown table."""
+    """Begin and end of each Markdown table. A table can begin on the line after another one."""
     begin = None
-    for number, line in enumerate([*lines, ""]):
+    for number, (line, following) in enumerate(zip([*lines, ""], [*lines[1:], "", ""])):
         inside = line.strip().startswith("|")
-        if inside and begin is None:
-            begin = number
-        elif not inside and begin is not None:
+        if begin is not None and (not inside or SEPARATOR.match(following)):
             yield begin, number
             begin = None
+        if inside and begin is None:
+            begin = number
 
 
 def marked_tables(guide):
@@ -158,7 +159,7 @@ def run(command, scans):
         result = subprocess.run([sys.executable, *words], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=False)
         if result.returncode:
             raise RuntimeError(f"exit status {result.returncode}")
-        text += result.stdout + "\n"  # which ends a table
+        text += result.stdout
     return printed_tables(text)
 
 

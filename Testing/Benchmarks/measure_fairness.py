@@ -55,14 +55,14 @@ def main():
     parser.add_argument("--smoothness", type=float)
     parser.add_argument("--scans", default="../shared/data", help="folder of the scans")
     arguments = parser.parse_args()
-    print(f"{'object':13}{'s':>7}{'distance':>10}{'normals':>8}{'mean':>8}{'own':>8}{'noise':>7}{'freedom':>9}"
-          f"{'neurons':>8}{'seconds':>8}")
+    print(f"{'object':13}{'s':>7}{'distance':>10}{'normals':>9}{'mean':>8}{'own':>8}{'noise':>7}{'freedom':>9}"
+          f"{'neurons':>9}{'seconds':>9}")
     for name in arguments.objects.split(","):
         truth = known_object(name, arguments.scans, arguments.points)
         for s in map(float, arguments.noise.split(",")):
             distance, facets, mean, own, level, freedom, neurons, seconds = row(truth, s, arguments)
-            print(f"{name:13}{s:7.4f}{distance:10.2e}{facets:8.3f}{mean:8.3f}{own:8.3f}{level:7.3f}{freedom:9.0f}"
-                  f"{neurons:8}{seconds:8.2f}", flush=True)
+            print(f"{name:13}{s:7.4f}{distance:10.2e}{facets:9.3f}{mean:8.3f}{own:8.3f}{level:7.3f}{freedom:9.0f}"
+                  f"{neurons:9}{seconds:9.2f}", flush=True)
 
 
 if __name__ == "__main__":

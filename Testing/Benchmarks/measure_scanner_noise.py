@@ -35,8 +35,8 @@ from known_objects import (facet_normals, field_value, known_object, mismatch, r
                            triangles_of)
 
 NEURONS = 12962  # to which ratios refer
-COLUMNS = f"{'object':13}{'kind':9}{'s':>7}{'points':>8}{'neurons':>8}{'true':>9}{'NoiseLevel / true':>19}{'off':>10}{'p2s':>10}" \
-          f"{'normals':>8}{'area':>7}{'seconds':>8}  warnings"
+COLUMNS = f"{'object':13}{'kind':9}{'s':>7}{'points':>8}{'neurons':>9}{'true':>9}{'NoiseLevel / true':>19}{'off':>10}" \
+          f"{'p2s':>10}{'normals':>9}{'area':>7}{'seconds':>9}  warnings"
 
 
 def area(surface):
@@ -91,8 +91,8 @@ def row(target, points, true, arguments):
     surface = smooth_surface(network.GetOutput())
     off, p2s, normals = mismatch(surface, target.mesh)
     found = field_value(network.GetOutput(), "NoiseLevel") / (true or 1.0)
-    return (f"{network.GetOutput().GetNumberOfPoints():8}{true:9.5f}{found:19.2f}{off:10.2e}{p2s:10.2e}{normals:8.2f}"
-            f"{area(surface) / target.area:7.3f}{seconds:8.1f}  {len(warnings)}"), warnings
+    return (f"{network.GetOutput().GetNumberOfPoints():9}{true:9.5f}{found:19.2f}{off:10.2e}{p2s:10.2e}{normals:9.2f}"
+            f"{area(surface) / target.area:7.3f}{seconds:9.1f}  {len(warnings)}"), warnings
 
 
 def observer(texts):
