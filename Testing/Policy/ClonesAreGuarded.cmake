@@ -1,0 +1,22 @@
+# Functions have clones for processors only where compilers know them and others can link to them: clang 14 and compilers
+# for ARM must see no attribute target_clones.
+cmake_minimum_required(VERSION 3.18)
+set(guard "#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)\n__attribute__((target_clones(")
+file(GLOB_RECURSE sources "${SOURCE_DIR}/Filters/*.h" "${SOURCE_DIR}/Filters/*.cxx" "${SOURCE_DIR}/IO/*.h"
+  "${SOURCE_DIR}/IO/*.cxx")
+set(found 0)
+foreach (source IN LISTS sources)
+  file(READ "${source}" text)
+  string(FIND "${text}" "target_clones" place)
+  if (NOT place EQUAL -1)
+    set(found 1)
+    string(REPLACE "${guard}" "" text "${text}")
+    string(FIND "${text}" "target_clones" place)
+    if (NOT place EQUAL -1)
+      message(SEND_ERROR "${source}: write before target_clones\n${guard}...")
+    endif ()
+  endif ()
+endforeach ()
+if (NOT found)
+  message(FATAL_ERROR "No target_clones found: remove this policy")
+endif ()
