@@ -1,5 +1,6 @@
 #include "vtkConsistentRemesh.h"
 
+#include "FuzzFilter.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Properties.h"
 #include "Register/ConsistentRemesh.h"
@@ -69,6 +70,23 @@ ProgressRun RemeshesOn(const std::string& name, bool isFine, int meshType)
     } };
 }
 
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<F> remesh;
+  for (int i = 1 + source.below(3); i > 0; --i)
+  {
+    remesh->AddInputDataObject(source.surface());
+  }
+  remesh->SetMeshType(source.below(2));
+  remesh->SetFrequency(1 + source.below(4));
+  remesh->SetNumberOfPoints(100 + source.byte());
+  remesh->SetAlignment(source.below(3));
+  remesh->SetAlignBlocks(source.flag());
+  remesh->SetMeanType(source.below(2));
+  remesh->SetNumberOfModes(source.below(4));
+  fuzz::run(remesh);
+}
+
 // Defaults and constants of the class and of the core.
 std::vector<Mirror> Mirrors()
 {
@@ -114,6 +132,7 @@ Case ConsistentRemesh()
     all.Progress.push_back(RemeshesOn(name, false, meshType));
     all.Progress.push_back(RemeshesOn(name + ", fine meshes", true, meshType));
   }
+  all.Fuzz = Fuzz;
   all.Mirrors = Mirrors;
   return all;
 }

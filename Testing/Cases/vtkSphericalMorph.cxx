@@ -1,5 +1,6 @@
 #include "vtkSphericalMorph.h"
 
+#include "FuzzFilter.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Properties.h"
 #include "Register/ConsistentRemesh.h"
@@ -90,6 +91,19 @@ ProgressRun MorphsOn(const std::string& name, bool isFine, int path, int meshTyp
     } };
 }
 
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<F> morph;
+  morph->SetInputDataObject(0, source.surface());
+  morph->SetInputDataObject(1, source.surface());
+  morph->SetMorphFactor(source.number());
+  morph->SetPath(source.below(2));
+  morph->SetMeshType(source.below(2));
+  morph->SetFrequency(1 + source.below(4));
+  morph->SetNumberOfPoints(100 + source.byte());
+  fuzz::run(morph);
+}
+
 // Defaults and constants of the class and of the core.
 std::vector<Mirror> Mirrors()
 {
@@ -128,6 +142,7 @@ Case SphericalMorph()
       all.Progress.push_back(MorphsOn(name + ", fine meshes", true, path, meshType));
     }
   }
+  all.Fuzz = Fuzz;
   all.Mirrors = Mirrors;
   return all;
 }

@@ -1,5 +1,6 @@
 #include "vtkSphericalResample.h"
 
+#include "FuzzFilter.h"
 #include "Properties.h"
 #include "Register/SphericalResample.h"
 #include "Surfaces.h"
@@ -51,6 +52,19 @@ ProgressRun CarriesOn(const std::string& name, int target, int source, int metho
     } };
 }
 
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<F> resample;
+  resample->SetInputDataObject(0, source.surface());
+  resample->SetInputDataObject(1, source.surface());
+  resample->SetMethod(source.below(2));
+  if (source.flag())
+  {
+    resample->SetMaskArrayName("Labels");
+  }
+  fuzz::run(resample);
+}
+
 // Defaults and constants of the class and of the core.
 std::vector<Mirror> Mirrors()
 {
@@ -86,6 +100,7 @@ Case SphericalResample()
     all.Progress.push_back(CarriesOn(name + ", to a coarse mesh", 60, 150, method));
     all.Progress.push_back(CarriesOn(name + ", to a fine mesh", 150, 60, method));
   }
+  all.Fuzz = Fuzz;
   all.Mirrors = Mirrors;
   return all;
 }

@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkSurfaceFileWriter.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 
@@ -94,9 +95,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   {
     WriteAndRead(of, source);
   }
-  else
+  else if (of.Fuzz)
   {
     of.Fuzz(source);
+  }
+  else
+  {
+    std::fprintf(stderr, "%s: write the function Fuzz of its case\n", of.Class.c_str());
+    std::abort();
   }
   return 0;
 }
