@@ -56,6 +56,18 @@ TEST(SphereCoverage, AMapToOneSideCoversNothing)
   EXPECT_EQ(measureSphereCoverage(bowl, sphere.Triangles).Degree, 0);
 }
 
+// The solid angles of triangles that go around the center add up to any number, by chance.
+TEST(SphereCoverage, AFlatMapFolds)
+{
+  Mesh sphere = makeGeodesicSphere(1);
+  sphere.Positions.col(1).setZero();
+  sphere.Positions.rowwise().normalize();
+  const auto coverage = measureSphereCoverage(sphere.Positions, sphere.Triangles);
+  EXPECT_GE(coverage.NumberOfFolds, 2);
+  EXPECT_THROW(conformal::turnedToCoverOnce(sphere.Positions, sphere.Triangles, "the map"),
+    std::invalid_argument);
+}
+
 // A sheet covers half of the sphere. Half must not be rounded to 1 by chance.
 TEST(SphereCoverage, ASheetIsNoCover)
 {
