@@ -35,7 +35,7 @@ from known_objects import (facet_normals, field_value, known_object, mismatch, r
                            triangles_of)
 
 NEURONS = 12962  # to which ratios refer
-COLUMNS = f"{'object':13}{'kind':9}{'s':>7}{'points':>8}{'neurons':>9}{'true':>9}{'NoiseLevel / true':>19}{'off':>10}" \
+COLUMNS = f"{'object':14}{'kind':9}{'s':>7}{'points':>8}{'neurons':>9}{'true':>9}{'NoiseLevel / true':>19}{'off':>10}" \
           f"{'p2s':>10}{'normals':>9}{'area':>7}{'seconds':>9}  warnings"
 
 
@@ -121,7 +121,7 @@ def main():
         for s, count in itertools.product(map(float, arguments.noise.split(",")), counts):
             points, errors = target.cloud(kind, count, s)
             text, warnings = row(target, points, rms(errors), arguments)
-            print(f"{name:13}{kind:9}{s:7.4f}{count:8}{text}", flush=True)
+            print(f"{name:14}{kind:9}{s:7.4f}{count:8}{text}", flush=True)
             if arguments.verbose:
                 print(*(f"    {warning}" for warning in warnings), sep="\n")
 
