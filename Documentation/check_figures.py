@@ -36,7 +36,7 @@ CODE = ["CMakeLists.txt", "Filters", "IO"]  # what is measured
 MARK = re.compile(r"(\s*)<!-- figures(?: at ([0-9a-f]+))?: (.*?) -->\s*$")
 OF_THE_MACHINE = re.compile(r"\b(CPU|seconds|time|ms|s|MB|MiB)\b")
 ROUNDING = 1e-11  # smaller differences are not compared
-SEPARATOR = re.compile(r"\s*\|(\s*:?-+:?\s*\|)+\s*$")  # line after the titles of a table
+SEPARATOR = re.compile(r"\s*\|(\s*:?-{2,}:?\s*\|)+\s*$")  # line after the titles of a table
 NUMBER = re.compile(r"[-+]?\d[\d,]*\.?\d*(?:e[-+]?\d+)?")
 
 

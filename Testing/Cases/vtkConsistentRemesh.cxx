@@ -79,7 +79,7 @@ void Fuzz(fuzz::FilterSource& source)
   }
   remesh->SetMeshType(source.below(2));
   remesh->SetFrequency(1 + source.below(4));
-  remesh->SetNumberOfPoints(100 + source.byte());
+  remesh->SetNumberOfPoints(500 + 4 * source.byte());
   remesh->SetAlignment(source.below(3));
   remesh->SetAlignBlocks(source.flag());
   remesh->SetMeanType(source.below(2));

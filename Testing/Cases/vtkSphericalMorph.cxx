@@ -100,7 +100,7 @@ void Fuzz(fuzz::FilterSource& source)
   morph->SetPath(source.below(2));
   morph->SetMeshType(source.below(2));
   morph->SetFrequency(1 + source.below(4));
-  morph->SetNumberOfPoints(100 + source.byte());
+  morph->SetNumberOfPoints(500 + 4 * source.byte());
   fuzz::run(morph);
 }
 

@@ -60,7 +60,7 @@ void Fuzz(fuzz::FilterSource& source)
   resample->SetMethod(source.below(2));
   if (source.flag())
   {
-    resample->SetMaskArrayName("Labels");
+    resample->SetMaskArrayName("Priority");
   }
   fuzz::run(resample);
 }

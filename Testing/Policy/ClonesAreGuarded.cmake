@@ -1,5 +1,5 @@
-# Functions have clones for processors only where compilers know them and others can link to them: clang 14 and compilers
-# for ARM must see no attribute target_clones.
+# Require the guard before each attribute target_clones: clang 14 compiles clones that do not link, and compilers for ARM
+# reject the attribute.
 cmake_minimum_required(VERSION 3.18)
 set(guard "#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)\n__attribute__((target_clones(")
 file(GLOB_RECURSE sources "${SOURCE_DIR}/Filters/*.h" "${SOURCE_DIR}/Filters/*.cxx" "${SOURCE_DIR}/IO/*.h"

@@ -33,15 +33,19 @@ Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
       " is open, or its triangles are not oriented consistently, at " + std::to_string(open) +
       " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
-  const SphereCoverage coverage =
-    measureSphereCoverage(mesh.SpherePositions, mesh.Triangles, run.unwatched());
-  if (std::abs(coverage.Degree) != 1)
+  Triangles turned = mesh.Triangles;
+  SphereCoverage coverage = measureSphereCoverage(mesh.SpherePositions, turned, run.unwatched());
+  if (coverage.Degree == -1)
+  {
+    turned.col(1).swap(turned.col(2));
+    coverage = measureSphereCoverage(mesh.SpherePositions, turned, run.unwatched());
+  }
+  if (coverage.Degree != 1)
   {
     throw std::invalid_argument(std::string("the map to the sphere of the ") + what +
       " covers the sphere " + std::to_string(coverage.Degree) + " times instead of once");
   }
-  return coverage.Degree > 0 ? coverage.NumberOfFolds
-                             : mesh.Triangles.rows() - coverage.NumberOfFolds;
+  return coverage.NumberOfFolds;
 }
 
 /// Find the closest triangle for each direction. Return the corners of this triangle and their

@@ -306,8 +306,9 @@ inline void TriangleTree::update(FootPoint& best, const Vector3& x, int place) c
   }
 }
 
-// The loops over lanes are inlined into both clones. Only GCC with the GNU C library compiles
-// clones that the loader chooses from; clang 14 does, but other files cannot link to them.
+// The loops over lanes are inlined into both clones.
+// Compile clones only with GCC and the GNU C library. Clang 14 compiles them, but other files
+// cannot link to them.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
 __attribute__((target_clones("avx2", "default")))
 #endif

@@ -22,9 +22,9 @@ struct SphereCoverage
   int Degree = 0;
   /// Sum of the signed solid angles of all triangles, divided by 4 pi; 0.5 for a sheet
   double Times = 0.0;
-  /// Number of folds: triangles that are clockwise seen from outside, and triangles on a great
-  /// circle that go around the center. Other triangles that could be clockwise because of rounding
-  /// errors do not count
+  /// Number of folds: triangles that are clockwise seen from outside, and triangles in the plane
+  /// of a great circle whose corners are not on less than half of it. Other triangles that could be
+  /// clockwise because of rounding errors do not count
   Index NumberOfFolds = 0;
 };
 

@@ -62,10 +62,22 @@ TEST(SphereCoverage, AFlatMapFolds)
   Mesh sphere = makeGeodesicSphere(1);
   sphere.Positions.col(1).setZero();
   sphere.Positions.rowwise().normalize();
+  sphere.Positions *=
+    Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
   const auto coverage = measureSphereCoverage(sphere.Positions, sphere.Triangles);
   EXPECT_GE(coverage.NumberOfFolds, 2);
   EXPECT_THROW(conformal::turnedToCoverOnce(sphere.Positions, sphere.Triangles, "the map"),
     std::invalid_argument);
+}
+
+TEST(SphereCoverage, LargeTrianglesDoNotFold)
+{
+  const double s = 1.0 / std::sqrt(3.0);
+  const Points corners = (Points(4, 3) << s, s, s, s, -s, -s, -s, s, -s, -s, -s, s).finished();
+  const Triangles tetrahedron = (Triangles(4, 3) << 0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2).finished();
+  const auto coverage = measureSphereCoverage(corners, tetrahedron);
+  EXPECT_EQ(coverage.Degree, 1);
+  EXPECT_EQ(coverage.NumberOfFolds, 0);
 }
 
 // A sheet covers half of the sphere. Half must not be rounded to 1 by chance.

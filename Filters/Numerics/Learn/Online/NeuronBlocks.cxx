@@ -163,8 +163,9 @@ int NeuronBlocks::findWinner(const Vector3& x, const double* values) const
 }
 
 // The result has equal bits for vectors of any width: fused multiply-add is not enabled, and lanes
-// do not interact. Only GCC with the GNU C library compiles clones that the loader chooses from;
-// clang 14 does, but other files cannot link to them.
+// do not interact.
+// Compile clones only with GCC and the GNU C library. Clang 14 compiles them, but other files
+// cannot link to them.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
 __attribute__((target_clones("avx2", "default")))
 #endif
