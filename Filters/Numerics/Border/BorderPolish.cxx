@@ -72,7 +72,7 @@ Vector3 onQuadric(const Vector3& x, const Points& points, const std::vector<Neig
     spread += weights[k] * d * d.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  const Eigen::Matrix3d frame = axes.eigenvectors(); // columns: normal first
+  const Eigen::Matrix3d& frame = axes.eigenvectors(); // columns: normal first
   const double unit = std::sqrt(around.back().SquareDistance);
   using Row = Eigen::Matrix<double, 6, 1>;
   const auto terms = [](double u, double v)

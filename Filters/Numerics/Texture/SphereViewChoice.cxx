@@ -21,7 +21,7 @@ namespace
 
 Vector3 directionOf(const Vector3& v, const char* name)
 {
-  const Vector3 unit = unitVector(v);
+  Vector3 unit = unitVector(v);
   if (!unit.allFinite())
   {
     throw std::invalid_argument(std::string(name) + " must be finite and not zero");
