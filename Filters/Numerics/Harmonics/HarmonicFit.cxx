@@ -24,27 +24,14 @@ namespace
 // Return the triangles of a mesh, oriented counter-clockwise on the sphere seen from outside.
 Triangles trianglesOnSphere(const MappedMesh& mesh, const Run& run)
 {
-  Triangles triangles = mesh.Triangles;
-  const Index open = countOpenEdges(triangles, mesh.Positions.rows(), run);
+  const Index open = countOpenEdges(mesh.Triangles, mesh.Positions.rows(), run);
   if (open > 0)
   {
     throw std::invalid_argument(
       "the surface is open, or its triangles are not oriented consistently, at " +
       std::to_string(open) + " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
-  SphereCoverage coverage = measureSphereCoverage(mesh.SpherePositions, triangles, run);
-  if (coverage.Degree == -1)
-  {
-    triangles.col(1).swap(triangles.col(2));
-    coverage = measureSphereCoverage(mesh.SpherePositions, triangles, run);
-  }
-  if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
-  {
-    throw std::invalid_argument("the map to the sphere covers it " +
-      std::to_string(coverage.Degree) + " times with " + std::to_string(coverage.NumberOfFolds) +
-      " folded triangles, but must cover it once without folds");
-  }
-  return triangles;
+  return turnedToCoverOnce(mesh.SpherePositions, mesh.Triangles, "the map to the sphere", run);
 }
 
 // Samples of the surface: the vertices, and points inside large triangles. Rotations of the sphere

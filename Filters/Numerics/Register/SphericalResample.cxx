@@ -7,7 +7,6 @@
 #include "Sphere/SphereCoverage.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -34,12 +33,7 @@ Index requireCover(const MappedMesh& mesh, const char* what, const Run& run)
       " edges, but must be closed. vtkGenusZeroCheck shows where.");
   }
   Triangles turned = mesh.Triangles;
-  SphereCoverage coverage = measureSphereCoverage(mesh.SpherePositions, turned, run.unwatched());
-  if (coverage.Degree == -1)
-  {
-    turned.col(1).swap(turned.col(2));
-    coverage = measureSphereCoverage(mesh.SpherePositions, turned, run.unwatched());
-  }
+  const SphereCoverage coverage = turnToCover(mesh.SpherePositions, turned, run.unwatched());
   if (coverage.Degree != 1)
   {
     throw std::invalid_argument(std::string("the map to the sphere of the ") + what +

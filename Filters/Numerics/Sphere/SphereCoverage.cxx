@@ -64,16 +64,23 @@ SphereCoverage measureSphereCoverage(
 }
 
 //------------------------------------------------------------------------------
+SphereCoverage turnToCover(const Points& positions, Triangles& triangles, const Run& run)
+{
+  SphereCoverage coverage = measureSphereCoverage(positions, triangles, run);
+  if (coverage.Degree < 0)
+  {
+    triangles.col(1).swap(triangles.col(2));
+    coverage = measureSphereCoverage(positions, triangles, run);
+  }
+  return coverage;
+}
+
+//------------------------------------------------------------------------------
 Triangles turnedToCoverOnce(
   const Points& positions, const Triangles& triangles, const std::string& map, const Run& run)
 {
   Triangles turned = triangles;
-  SphereCoverage coverage = measureSphereCoverage(positions, turned, run);
-  if (coverage.Degree < 0)
-  {
-    turned.col(1).swap(turned.col(2));
-    coverage = measureSphereCoverage(positions, turned, run);
-  }
+  const SphereCoverage coverage = turnToCover(positions, turned, run);
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
     throw std::invalid_argument(map + " covers it " + std::to_string(coverage.Degree) +

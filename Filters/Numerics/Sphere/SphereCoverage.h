@@ -35,6 +35,10 @@ struct SphereCoverage
 SphereCoverage measureSphereCoverage(
   const Points& positions, const Triangles& triangles, const Run& run = {});
 
+/// Measure degree and number of folds. If the map reverses orientation, reverse all triangles
+/// before, so that the degree is not negative.
+SphereCoverage turnToCover(const Points& positions, Triangles& triangles, const Run& run = {});
+
 /// Return the triangles of a map to the sphere, oriented counter-clockwise on the sphere seen from
 /// outside. If the map reverses orientation, all triangles are reversed.
 /// @param[in] map  name of the map for error messages, such as "the map to the sphere"

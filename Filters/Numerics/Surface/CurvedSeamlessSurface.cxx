@@ -52,12 +52,7 @@ conformal::Triangles trianglesOfMap(
   const Points& sphere, const conformal::Triangles& triangles, const Run& run)
 {
   conformal::Triangles turned = triangles;
-  SphereCoverage coverage = measureSphereCoverage(sphere, turned, run);
-  if (coverage.Degree < 0)
-  {
-    turned.col(1).swap(turned.col(2));
-    coverage = measureSphereCoverage(sphere, turned, run);
-  }
+  const SphereCoverage coverage = turnToCover(sphere, turned, run);
   if (coverage.Degree != 1 || coverage.NumberOfFolds > 0)
   {
     throw std::invalid_argument("the map must cover the sphere exactly once, but it covers it " +
