@@ -342,7 +342,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   const conformal::TrainingSamples& samples)
 {
   // If the noise is above muchNoise, handles of the hull may be caused by noise.
-  constexpr double muchNoise = 0.01, manyUndersampled = 0.05;
+  constexpr double muchNoise = 0.01, manyUndersampled = 0.015;
   const vtkIdType size = samples.totalSize();
   if (result.HullLeaks)
   {

@@ -121,10 +121,11 @@ std::vector<double> weightsOf(const Points& points, const Run& run)
 
 // Compute the weighted fraction of the samples that lie off the plane of their neighbors.
 double undersampledFraction(const Points& asked, const std::vector<double>& weights,
-  const TrainingSamples& samples, const Run& run)
+  const TrainingSamples& samples, double noise, const Run& run)
 {
-  constexpr double maximum = 50000.0, distance = 0.02;
+  constexpr double maximum = 50000.0, distanceOfShape = 0.02, distanceOfNoise = 4.0;
   constexpr int neighbors = 8;
+  const double distance = std::max(distanceOfShape, distanceOfNoise * noise);
   const Points cloud = selectSamples(samples, maximum).Positions;
   if (cloud.rows() <= neighbors)
   {
@@ -378,7 +379,7 @@ SurfaceQuality evaluateSurface(const TrainingSamples& samples, const Points& pos
     }
   }
   quality.UndersampledFraction =
-    undersampledFraction(asked.Positions, weights, samples, run.unwatched());
+    undersampledFraction(asked.Positions, weights, samples, noise, run.unwatched());
   quality.LayerDistance = layerDistance(asked.Positions, feet, near, run.unwatched());
   if (counted > 0.0)
   {

@@ -58,7 +58,8 @@ constexpr Index MinimumEvaluated = 20;
 ///   along the surface normal, the surface is inside out, or two of its sides are near the same
 ///   samples.
 /// - UndersampledFraction: A sample is counted if its distance from the plane through its neighbors
-///   is above 0.02. Samples are too sparse there for the curvature of the surface.
+///   is above 0.02, or four standard deviations of the noise, whichever is larger. Samples are too
+///   sparse there for the curvature of the surface.
 /// - LayerDistance: A scan with registration errors can consist of two layers of samples. The
 ///   offset of a sample is its signed distance from the surface. In two layers, offsets of
 ///   neighboring samples have about two values. Their kurtosis (mean fourth power, divided by the

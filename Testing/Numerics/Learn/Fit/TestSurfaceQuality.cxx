@@ -40,6 +40,13 @@ SurfaceQuality qualityOn(const Mesh& mesh, const Points& points)
   return qualityOn(mesh, TrainingSamples{ PointView(points) });
 }
 
+// Return a number of the standard normal distribution, by the method of Box and Muller.
+double gaussian(conformal::Random& random)
+{
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
+  return radius * std::cos(2.0 * Pi * random.uniform());
+}
+
 Mesh sphere()
 {
   return makeGeodesicSphere(24);
@@ -241,19 +248,27 @@ TEST(SurfaceQuality, SaysWherePointsAreTooFewForTheShape)
   EXPECT_GT(qualityOn(sphere(), spheres::random(100)).UndersampledFraction, 0.2);
 }
 
+TEST(SurfaceQuality, DoesNotTakeNoiseForTooFewPoints)
+{
+  Points noisy = spheres::random(20000);
+  conformal::Random random(7);
+  for (Index i = 0; i < noisy.rows(); ++i)
+  {
+    noisy.row(i) *= 1.0 + 0.009 * gaussian(random);
+  }
+  const TrainingSamples samples{ PointView(noisy) };
+  EXPECT_GT(qualityOn(sphere(), samples, 0.0).UndersampledFraction, 0.015);
+  EXPECT_LT(qualityOn(sphere(), samples, 0.009).UndersampledFraction, 0.002);
+}
+
 TEST(SurfaceQuality, FindsTheDistanceOfTwoLayersAndNoneInNoise)
 {
   Points layers = spheres::random(20000), noisy = layers;
   conformal::Random random(7);
-  const auto normal = [&] // after Box and Muller
-  {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
-    return radius * std::cos(2.0 * Pi * random.uniform());
-  };
   for (Index i = 0; i < layers.rows(); ++i)
   {
-    layers.row(i) *= 1.0 + (random.uniform() < 0.5 ? 0.006 : -0.006) + normal() * 0.001;
-    noisy.row(i) *= 1.0 + 0.006 * normal();
+    layers.row(i) *= 1.0 + (random.uniform() < 0.5 ? 0.006 : -0.006) + gaussian(random) * 0.001;
+    noisy.row(i) *= 1.0 + 0.006 * gaussian(random);
   }
   EXPECT_NEAR(qualityOn(makeGeodesicSphere(48), layers).LayerDistance, 0.012, 0.001);
   EXPECT_EQ(qualityOn(makeGeodesicSphere(48), noisy).LayerDistance, 0.0);
