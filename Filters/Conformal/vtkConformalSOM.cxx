@@ -344,6 +344,14 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   // If the noise is above muchNoise, handles of the hull may be caused by noise.
   constexpr double muchNoise = 0.01, manyUndersampled = 0.015;
   const vtkIdType size = samples.totalSize();
+  if (size < conformal::MinimumEvaluated && result.Quality.UndersampledFraction > manyUndersampled)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the input has " << size
+            << " points, which are too few for the object's details: the mesh between them is "
+               "uncertain. Add points");
+    return; // defects of the mesh have no other cause
+  }
   if (result.HullLeaks)
   {
     vtkWarningWithObjectMacro(

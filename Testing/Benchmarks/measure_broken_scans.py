@@ -23,6 +23,10 @@ web is the percentage of the surface farther than 0.02 from the object, miss tha
 the surface, and inverted that of the surface that faces the wrong way; all without what is within 0.03 of missing
 points. largest is the largest distance of the whole surface from the object. A surface is right if web and miss are at
 most 0.2 and inverted is at most 0.5. A warning for a right surface of a scan without missing points is a false alarm.
+
+Each warning has a word: map (the map is not conformal), details (too few points for the object's details), uncovered,
+outliers (points apart from the surface), inverted and folded (the surface), crossing (triangles), unsupported (surface
+without points), layers and shell (two layers of points), noise, leaks, handles, border, ground. Others are other.
 """
 import argparse
 import time

@@ -365,8 +365,7 @@ TEST(ConformalSOM, FewPointsGiveAWarning)
   auto filter = MakeFilter(cloud);
   contract::Observed observed(filter);
   filter->Update();
-  EXPECT_NE(observed.WarningMessage().find("too few for the object's details"), std::string::npos)
-    << observed.WarningMessage();
+  observed.ExpectWarning("the input has 8 points, which are too few for the object's details");
 }
 
 TEST(ConformalSOM, SaysThatNoGroundIsFound)

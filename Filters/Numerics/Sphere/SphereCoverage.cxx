@@ -25,14 +25,15 @@ Part measure(const Points& positions, const Triangles& triangles, Index begin, I
     const Vector3 ab = b - a, ac = c - a;
     const double volume = ab.cross(ac).dot(a); // det(a, b, c), exact for small triangles
     const double denominator = 1.0 + a.dot(b) + b.dot(c) + c.dot(a);
-    part.SolidAngle += 2.0 * std::atan2(volume, denominator);
     // Vertices are rounded to 1e-16, so the error of the area is that times the longest edge.
     const double longest =
       std::sqrt(std::max({ ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm() }));
+    const double rounding = 1e-15 * longest;
     // A triangle whose plane contains the center covers one half of the sphere or the other, by
     // chance, unless its corners are on less than half of a great circle.
-    const double rounding = 1e-15 * longest;
-    part.NumberOfFolds += volume < -rounding || (volume <= rounding && denominator <= 1e-15);
+    const bool isUndecided = std::abs(volume) <= rounding && denominator <= 1e-15;
+    part.SolidAngle += isUndecided ? 0.0 : 2.0 * std::atan2(volume, denominator);
+    part.NumberOfFolds += isUndecided || volume < -rounding;
   }
   return part;
 }

@@ -20,7 +20,8 @@ struct SphereCoverage
   /// sheet, which covers half of the sphere, the degree is 0. Holes below 1 % of the sphere are
   /// permitted.
   int Degree = 0;
-  /// Sum of the signed solid angles of all triangles, divided by 4 pi; 0.5 for a sheet
+  /// Sum of the signed solid angles of all triangles, divided by 4 pi; 0.5 for a sheet. A triangle
+  /// in the plane of a great circle has solid angle 0
   double Times = 0.0;
   /// Number of folds: triangles that are clockwise seen from outside, and triangles in the plane
   /// of a great circle whose corners are not on less than half of it. Other triangles that could be

@@ -116,7 +116,7 @@ def make_parser():
     parser.add_argument("--report", metavar="FILE", help="write figures, times and warnings as JSON; with - to the standard output, "
                         "and the table to the standard error")
     parser.add_argument("--picture", metavar="FILE",
-                        help="draw scan, mesh and surface side by side, .png or .jpg; needs a display")
+                        help="draw scan, mesh and surface side by side, .png or .jpg; before VTK 9.4, this needs a display")
     parser.add_argument("--overwrite", action="store_true", help="replace existing files, except inputs")
     parser.add_argument("--jobs", type=positive, default=1, metavar="N",
                         help="number of scans to process at a time, with the processors divided among them; default 1")
