@@ -178,6 +178,7 @@ SurfaceOutline Tracer::trace(const MapOutline& outline) const
     return result;
   }
   std::vector<Vector2> corners;
+  corners.reserve(ids.size());
   for (const int id : ids)
   {
     corners.push_back(outline.Corners[id]);

@@ -223,6 +223,7 @@ private:
       base.Normal = -base.Normal;
     }
     std::vector<double> heights;
+    heights.reserve(border.size());
     for (const int vertex : border)
     {
       heights.push_back(
