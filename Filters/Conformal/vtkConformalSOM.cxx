@@ -344,14 +344,8 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   // If the noise is above muchNoise, handles of the hull may be caused by noise.
   constexpr double muchNoise = 0.01, manyUndersampled = 0.015;
   const vtkIdType size = samples.totalSize();
-  if (size < conformal::MinimumEvaluated && result.Quality.UndersampledFraction > manyUndersampled)
-  {
-    vtkWarningWithObjectMacro(
-      self, << "the input has " << size
-            << " points, which are too few for the object's details: the mesh between them is "
-               "uncertain. Add points");
-    return; // defects of the mesh have no other cause
-  }
+  const bool isUndersampled = result.Quality.UndersampledFraction > manyUndersampled;
+  const bool isUnknown = isUndersampled && size < conformal::MinimumEvaluated;
   if (result.HullLeaks)
   {
     vtkWarningWithObjectMacro(
@@ -370,7 +364,14 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
       << "the points have noise of about " << 100.0 * result.Noise
       << " % of the largest radius. The mesh follows neither the noise nor details of its size");
   }
-  else if (result.Quality.UndersampledFraction > manyUndersampled)
+  else if (isUnknown)
+  {
+    vtkWarningWithObjectMacro(
+      self, << "the input has " << size
+            << " points, which are too few for the object's details: the mesh between them is "
+               "uncertain. Add points");
+  }
+  else if (isUndersampled)
   {
     vtkWarningWithObjectMacro(
       self, << 100.0 * result.Quality.UndersampledFraction
@@ -394,10 +395,10 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   {
     glue::WarnOfPointsApart(self, apart, size);
   }
-  if (samples.dimension() < 3)
+  if (samples.dimension() < 3 || isUnknown)
   {
-    return; // another warning says that the mesh is flat. It is folded at the rim, and its sides
-            // meet
+    return; // another warning says that the mesh is flat, hence folded at the rim, and its sides
+            // meet; or that the points are too few, which is the cause of all defects of the mesh
   }
   if (result.UnsupportedFraction > 0.002)
   {

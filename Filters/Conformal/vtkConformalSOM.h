@@ -81,8 +81,8 @@
  * - field data "UndersampledFraction" (1 value): fraction of the input points, weighted by area, in
  *   regions with too few points to define the shape. Let R be the largest distance of a point from
  *   the centroid. A point is counted if its distance from the plane of its eight nearest neighbors
- *   is more than 0.02 R and more than four standard deviations of the noise. From 0.015 there is a
- *   warning: thin parts can be missing, and narrow gaps closed.
+ *   is more than 0.02 R and more than four standard deviations of the noise. Above 0.015, there is
+ * a warning: thin parts can be missing, and narrow gaps closed.
  * - field data "LayerDistance" (1 value): distance between two layers of input points, as in badly
  *   registered scans, in the unit of the coordinates; 0 if the points form one layer.
  * - field data "MeanQuasiConformalError" and "MaximumQuasiConformalError" (1 value each): mean over

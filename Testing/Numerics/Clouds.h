@@ -6,6 +6,7 @@
 #include "Base/Random.h"
 #include "Base/Types.h"
 
+#include <cmath>
 #include <functional>
 
 namespace clouds
@@ -36,6 +37,13 @@ inline conformal::Points inUnitCube(conformal::Index size, unsigned int seed)
     points.data()[i] = random.uniform();
   }
   return points;
+}
+
+/// Return a number of the standard normal distribution, by the method of Box and Muller.
+inline double gaussian(conformal::Random& random)
+{
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
+  return radius * std::cos(2.0 * conformal::Pi * random.uniform());
 }
 }
 

@@ -1,6 +1,7 @@
 #include "Learn/Fit/NoiseEstimate.h"
 
 #include "Base/Random.h"
+#include "Clouds.h"
 #include "Mesh/GeodesicSphere.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +32,7 @@ TEST(NoiseEstimate, FindsTheVarianceOfGaussianNoise)
   conformal::Random random(2);
   for (Index i = 0; i < points.rows(); ++i)
   {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
-    points.row(i) *= 1.0 + Deviation * radius * std::cos(2.0 * std::acos(-1.0) * random.uniform());
+    points.row(i) *= 1.0 + Deviation * clouds::gaussian(random);
   }
   const conformal::TrainingSamples samples(points);
   Points surface = sphere.Positions;

@@ -1,6 +1,7 @@
 #include "Learn/Fit/SurfaceQuality.h"
 
 #include "Base/Random.h"
+#include "Clouds.h"
 #include "Mesh/GeodesicSphere.h"
 #include "Ranks.h"
 #include "Runs.h"
@@ -38,13 +39,6 @@ SurfaceQuality qualityOn(
 SurfaceQuality qualityOn(const Mesh& mesh, const Points& points)
 {
   return qualityOn(mesh, TrainingSamples{ PointView(points) });
-}
-
-// Return a number of the standard normal distribution, by the method of Box and Muller.
-double gaussian(conformal::Random& random)
-{
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
-  return radius * std::cos(2.0 * Pi * random.uniform());
 }
 
 Mesh sphere()
@@ -254,7 +248,7 @@ TEST(SurfaceQuality, DoesNotTakeNoiseForTooFewPoints)
   conformal::Random random(7);
   for (Index i = 0; i < noisy.rows(); ++i)
   {
-    noisy.row(i) *= 1.0 + 0.009 * gaussian(random);
+    noisy.row(i) *= 1.0 + 0.009 * clouds::gaussian(random);
   }
   const TrainingSamples samples{ PointView(noisy) };
   EXPECT_GT(qualityOn(sphere(), samples, 0.0).UndersampledFraction, 0.015);
@@ -267,8 +261,9 @@ TEST(SurfaceQuality, FindsTheDistanceOfTwoLayersAndNoneInNoise)
   conformal::Random random(7);
   for (Index i = 0; i < layers.rows(); ++i)
   {
-    layers.row(i) *= 1.0 + (random.uniform() < 0.5 ? 0.006 : -0.006) + gaussian(random) * 0.001;
-    noisy.row(i) *= 1.0 + 0.006 * gaussian(random);
+    layers.row(i) *=
+      1.0 + (random.uniform() < 0.5 ? 0.006 : -0.006) + clouds::gaussian(random) * 0.001;
+    noisy.row(i) *= 1.0 + 0.006 * clouds::gaussian(random);
   }
   EXPECT_NEAR(qualityOn(makeGeodesicSphere(48), layers).LayerDistance, 0.012, 0.001);
   EXPECT_EQ(qualityOn(makeGeodesicSphere(48), noisy).LayerDistance, 0.0);
