@@ -49,7 +49,7 @@ check_docs()
 
 check_asan()
 {
-  install
+  install clang "libclang-rt-$llvm-dev" # compiles this faster than GCC, and the tests run faster
   configure asan
   build asan
   forget_passed asan

@@ -389,12 +389,8 @@ vtkSmartPointer<vtkPolyData> FilterSource::surface()
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkImageData> FilterSource::picture()
+void FilterSource::addPixels(vtkImageData* image)
 {
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  const int columns = this->below(9), rows = this->below(9);
-  const int origin = this->below(8) == 7 ? this->byte() - 128 : 0;
-  image->SetExtent(origin, origin + columns, -origin, rows - origin, 0, this->below(16) == 15);
   const int types[] = { VTK_UNSIGNED_CHAR, VTK_DOUBLE, VTK_SHORT, VTK_LONG_LONG };
   const int type = types[this->below(4)];
   const int choice = this->byte();
@@ -406,6 +402,30 @@ vtkSmartPointer<vtkImageData> FilterSource::picture()
     pixels->SetComponent(i, 0, type == VTK_DOUBLE ? this->number() : this->byte());
   }
   image->GetPointData()->SetScalars(pixels);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> FilterSource::picture()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  const int columns = this->below(9), rows = this->below(9);
+  const int origin = this->below(8) == 7 ? this->byte() - 128 : 0;
+  image->SetExtent(origin, origin + columns, -origin, rows - origin, 0, this->below(16) == 15);
+  this->addPixels(image);
+  return image;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> FilterSource::volume()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  const int columns = this->below(9), rows = this->below(9), layers = this->below(9);
+  image->SetExtent(0, columns, 0, rows, 0, layers);
+  const double width = this->flag() ? this->number() : 0.25;
+  const double height = this->flag() ? this->number() : width;
+  image->SetSpacing(width, width, height);
+  image->SetOrigin(-0.5 * width * columns, -0.5 * width * rows, -0.5 * height * layers);
+  this->addPixels(image);
   return image;
 }
 }

@@ -42,10 +42,14 @@ public:
   /// Return a picture of a few pixels.
   vtkSmartPointer<vtkImageData> picture();
 
+  /// Return a volume of a few voxels, with round or unusual spacings.
+  vtkSmartPointer<vtkImageData> volume();
+
 private:
   vtkSmartPointer<vtkPolyData> base();
   void damage(vtkPolyData* surface);
   void addArrays(vtkPolyData* surface);
+  void addPixels(vtkImageData* image);
 
   const std::uint8_t* Next;
   const std::uint8_t* End;

@@ -1,5 +1,6 @@
 #include "vtkMapLabels.h"
 
+#include "FuzzFilter.h"
 #include "Projections.h"
 #include "Properties.h"
 #include "Surfaces.h"
@@ -54,6 +55,21 @@ void TakeFirstComponent(vtkAlgorithm* filter)
   gray->GetPointData()->SetScalars(labels);
   filter->SetInputDataObject(1, gray);
 }
+
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<vtkMapLabels> filter;
+  filter->SetProjection(source.below(6));
+  if (source.flag())
+  {
+    filter->SetCentralLongitude(source.number());
+    filter->SetCapsuleAspect(source.number());
+  }
+  filter->SetInputDataObject(0, source.surface());
+  filter->SetInputDataObject(1, source.picture());
+  TakeFirstComponent(filter);
+  fuzz::run(filter);
+}
 }
 
 Case MapLabels()
@@ -79,6 +95,7 @@ Case MapLabels()
     1e-7) };
   all.Progress = { Run<F>(
     "columns", []() { return BumpyMesh(1.0, 60); }, [](F* f) { f->SetLabelsData(Columns(400)); }) };
+  all.Fuzz = Fuzz;
   all.Mirrors = ProjectionMirrors<F>;
   return all;
 }

@@ -1,5 +1,6 @@
 #include "vtkMapOutlines.h"
 
+#include "FuzzFilter.h"
 #include "Projections.h"
 #include "Properties.h"
 #include "Surfaces.h"
@@ -30,6 +31,24 @@ vtkSmartPointer<vtkPolyData> Triangles(int count)
   outlines->SetPoints(points);
   outlines->SetPolys(polygons);
   return outlines;
+}
+
+// Outlines in pixels, among them surfaces that are none.
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<vtkMapOutlines> filter;
+  filter->SetProjection(source.below(6));
+  filter->SetYAxis(source.below(2));
+  if (source.flag())
+  {
+    filter->SetCentralLongitude(source.number());
+    filter->SetCapsuleAspect(source.number());
+    const int width = source.byte();
+    filter->SetImageSize(width, source.byte());
+  }
+  filter->SetInputDataObject(0, source.surface());
+  filter->SetInputDataObject(1, source.flag() ? Triangles(source.below(9)) : source.surface());
+  fuzz::run(filter);
 }
 }
 
@@ -62,6 +81,7 @@ Case MapOutlines()
   all.Progress = { Run<F>(
     "triangles", []() { return BumpyMesh(1.0, 60); },
     [](F* f) { f->SetOutlinesData(Triangles(100)); }) };
+  all.Fuzz = Fuzz;
   all.Mirrors = ProjectionMirrors<F>;
   return all;
 }

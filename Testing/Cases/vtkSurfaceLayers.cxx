@@ -1,17 +1,53 @@
 #include "vtkSurfaceLayers.h"
 
+#include "FuzzFilter.h"
 #include "Projections.h"
 #include "Properties.h"
 #include "Surfaces.h"
 
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 namespace cases
 {
+namespace
+{
+using F = vtkSurfaceLayers;
+
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<F> layers;
+  layers->SetProjection(source.below(6));
+  layers->SetAxis(source.below(3));
+  layers->SetNumberOfLayers(1 + source.below(8));
+  layers->SetComponent(source.below(2));
+  const int width = 1 + source.below(24);
+  layers->SetImageSize(width, 1 + source.below(24));
+  const int odd = source.byte();
+  if (odd & 1)
+  {
+    const double low = source.number();
+    layers->SetDepthRange(low, source.number());
+  }
+  if (odd & 2)
+  {
+    const double low = source.number();
+    layers->SetSummaryRange(low, source.number());
+  }
+  if (odd & 4)
+  {
+    layers->SetCentralLongitude(source.number());
+    layers->SetCapsuleAspect(source.number());
+  }
+  layers->SetInputDataObject(0, source.surface());
+  layers->SetInputDataObject(1, source.volume());
+  fuzz::run(layers);
+}
+}
+
 Case SurfaceLayers()
 {
-  using F = vtkSurfaceLayers;
   Case all = CaseOf<F>("vtkSurfaceLayers");
   Mode layers = { "", { Surface(BadPoints | BadIds | BadMap), Picture("vtkSurfaceLayers volume") },
     Set<F>(
@@ -43,6 +79,7 @@ Case SurfaceLayers()
   all.Scaled = { samples };
   all.Progress = { Run<F>(
     "ball", []() { return BumpyMesh(1.0, 60); }, [](F* f) { f->SetVolumeData(BallVolume(30)); }) };
+  all.Fuzz = Fuzz;
   all.Mirrors = ProjectionMirrors<F>;
   return all;
 }

@@ -1,5 +1,6 @@
 #include "vtkSurfaceNormalMap.h"
 
+#include "FuzzFilter.h"
 #include "Properties.h"
 #include "Surfaces.h"
 #include "vtkSphericalTextureMap.h"
@@ -55,6 +56,17 @@ ProgressRun Bakes(const char* name, int frequency, int width)
       };
     } };
 }
+
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<F> map;
+  const int width = 1 + source.below(24);
+  map->SetImageSize(width, 1 + source.below(24));
+  const SurfacePointer surface = source.surface();
+  map->SetInputData(source.flag() ? Textured(BumpyMesh(1.0, 2)) : surface);
+  map->SetDetailData(source.flag() ? surface : source.surface());
+  fuzz::run(map);
+}
 }
 
 Case SurfaceNormalMap()
@@ -68,6 +80,7 @@ Case SurfaceNormalMap()
   // Pixels are rounded: they may differ by 1 of 255.
   all.Scaled = { Scaled<F>("Bakes", Bake, {}, 0.005) };
   all.Progress = { Bakes("large image", 40, 1024), Bakes("fine mesh", 100, 512) };
+  all.Fuzz = Fuzz;
   return all;
 }
 }

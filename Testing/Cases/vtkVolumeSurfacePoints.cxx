@@ -1,5 +1,6 @@
 #include "vtkVolumeSurfacePoints.h"
 
+#include "FuzzFilter.h"
 #include "Properties.h"
 #include "Surfaces.h"
 #include "Volume/VolumeSurface.h"
@@ -22,6 +23,22 @@ std::vector<Mirror> Mirrors()
     Same("Level", filter->GetLevel(), options.Level),
     Same("ClosingRadius", filter->GetClosingRadius(), options.ClosingRadius),
     Same("LargestObject", filter->GetLargestObject(), options.LargestObject) };
+}
+
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<vtkVolumeSurfacePoints> filter;
+  filter->SetComponent(source.below(2));
+  filter->SetLevelMethod(source.below(2));
+  filter->SetLargestObject(source.flag());
+  if (source.flag())
+  {
+    filter->SetLevel(source.number());
+    filter->SetSmoothing(source.number());
+    filter->SetClosingRadius(source.number());
+  }
+  filter->SetInputDataObject(0, source.volume());
+  fuzz::run(filter);
 }
 }
 
@@ -46,6 +63,7 @@ Case VolumeSurfacePoints()
         return filter;
       };
     } } };
+  all.Fuzz = Fuzz;
   all.Mirrors = Mirrors;
   return all;
 }
