@@ -1,6 +1,7 @@
 // What all readers do alike, tried with every one of them.
 #include "vtkSurfaceFileReader.h"
 
+#include "../AddressSanitizer.h"
 #include "../Cases/ReaderCase.h"
 #include "../CommaLocale.h"
 #include "../TemporaryFolder.h"
@@ -34,10 +35,13 @@ class MemoryLimit
 public:
   explicit MemoryLimit([[maybe_unused]] std::uint64_t bytes)
   {
-#if !defined(_WIN32) && !defined(__SANITIZE_ADDRESS__) // which needs more for itself
+#ifndef _WIN32
     getrlimit(RLIMIT_AS, &this->Before);
     rlimit limit = this->Before;
-    limit.rlim_cur = std::min<rlim_t>(bytes, this->Before.rlim_max);
+    if (!hasAddressSanitizer)
+    {
+      limit.rlim_cur = std::min<rlim_t>(bytes, this->Before.rlim_max);
+    }
     setrlimit(RLIMIT_AS, &limit);
   }
   ~MemoryLimit()
