@@ -242,6 +242,10 @@ void requireShares(const std::vector<double>& weights, std::size_t numberOfShape
 //------------------------------------------------------------------------------
 std::vector<double> morphWeights(double factor, std::size_t numberOfShapes)
 {
+  if (!(factor >= 0.0 && factor <= 1.0))
+  {
+    throw std::invalid_argument("the morph factor must be from 0 to 1");
+  }
   std::vector<double> weights(numberOfShapes, 0.0);
   const double place = factor * static_cast<double>(numberOfShapes - 1);
   const std::size_t before =

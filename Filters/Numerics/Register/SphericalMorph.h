@@ -30,6 +30,7 @@ struct SphericalMorphOptions
 /// Compute the weights of the shapes at a position on a path from the first shape to the last. On
 /// the path, the shapes are evenly spaced: the first at factor 0, the last at factor 1.
 /// @param[in] factor  position on the path, in [0, 1]
+/// @throws std::invalid_argument if the factor is outside of [0, 1], or NaN
 /// @return weight of each shape. Only one shape, or two consecutive shapes, have weights above 0.
 std::vector<double> morphWeights(double factor, std::size_t numberOfShapes);
 
