@@ -19,6 +19,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Testing/steps.sh
 
 llvm=14 # Debian 12's. Other versions lay out and find otherwise.
+clang=(clang "libclang-rt-$llvm-dev") # with what its sanitizers need
 
 check_format()
 {
@@ -49,7 +50,7 @@ check_docs()
 
 check_asan()
 {
-  install clang "libclang-rt-$llvm-dev" # compiles this faster than GCC, and the tests run faster
+  install "${clang[@]}"
   configure asan
   build asan
   forget_passed asan
@@ -93,7 +94,7 @@ fuzz()
 
 check_fuzz()
 {
-  install clang "libclang-rt-$llvm-dev"
+  install "${clang[@]}"
   configure fuzz
   build fuzz
   forget_passed fuzz

@@ -1,9 +1,11 @@
-// Compare the projections of the classes that draw or read maps with those of the core.
+// Compare the projections of the classes that draw or read maps with those of the core, and choose
+// one from the bytes of a fuzzer.
 #ifndef CasesProjections_h
 #define CasesProjections_h
 
 #include "Body/MapImage.h"
 #include "Case.h"
+#include "FilterSource.h"
 
 #include "vtkNew.h"
 
@@ -26,6 +28,18 @@ std::vector<Mirror> ProjectionMirrors()
     same("PEIRCE_QUINCUNCIAL", Filter::PEIRCE_QUINCUNCIAL, MapProjection::PeirceQuincuncial),
     same("MERCATOR", Filter::MERCATOR, MapProjection::Mercator),
     same("CAPSULE", Filter::CAPSULE, MapProjection::Capsule) };
+}
+
+/// Set the projection of a class from the bytes of a fuzzer.
+template <typename Filter>
+void FuzzProjection(Filter* filter, fuzz::FilterSource& source)
+{
+  filter->SetProjection(source.below(Filter::CAPSULE + 1));
+  if (source.flag())
+  {
+    filter->SetCentralLongitude(source.number());
+    filter->SetCapsuleAspect(source.number());
+  }
 }
 }
 

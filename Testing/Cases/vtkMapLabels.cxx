@@ -59,12 +59,7 @@ void TakeFirstComponent(vtkAlgorithm* filter)
 void Fuzz(fuzz::FilterSource& source)
 {
   vtkNew<vtkMapLabels> filter;
-  filter->SetProjection(source.below(6));
-  if (source.flag())
-  {
-    filter->SetCentralLongitude(source.number());
-    filter->SetCapsuleAspect(source.number());
-  }
+  FuzzProjection(filter.Get(), source);
   filter->SetInputDataObject(0, source.surface());
   filter->SetInputDataObject(1, source.picture());
   TakeFirstComponent(filter);

@@ -37,15 +37,8 @@ vtkSmartPointer<vtkPolyData> Triangles(int count)
 void Fuzz(fuzz::FilterSource& source)
 {
   vtkNew<vtkMapOutlines> filter;
-  const int projection = source.below(5); // all but Peirce's, which takes seconds
-  filter->SetProjection(
-    projection < vtkMapOutlines::PEIRCE_QUINCUNCIAL ? projection : projection + 1);
+  FuzzProjection(filter.Get(), source);
   filter->SetYAxis(source.below(2));
-  if (source.flag())
-  {
-    filter->SetCentralLongitude(source.number());
-    filter->SetCapsuleAspect(source.number());
-  }
   const int width = 1 + source.byte();
   filter->SetImageSize(width, 1 + source.byte());
   filter->SetInputDataObject(0, source.surface());

@@ -18,7 +18,7 @@ using F = vtkSurfaceLayers;
 void Fuzz(fuzz::FilterSource& source)
 {
   vtkNew<F> layers;
-  layers->SetProjection(source.below(6));
+  FuzzProjection(layers.Get(), source);
   layers->SetAxis(source.below(3));
   layers->SetNumberOfLayers(1 + source.below(8));
   layers->SetComponent(source.below(2));
@@ -34,11 +34,6 @@ void Fuzz(fuzz::FilterSource& source)
   {
     const double low = source.number();
     layers->SetSummaryRange(low, source.number());
-  }
-  if (odd & 4)
-  {
-    layers->SetCentralLongitude(source.number());
-    layers->SetCapsuleAspect(source.number());
   }
   layers->SetInputDataObject(0, source.surface());
   layers->SetInputDataObject(1, source.volume());
