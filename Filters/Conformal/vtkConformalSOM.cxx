@@ -288,7 +288,8 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
     vtkWarningWithObjectMacro(self, << 100.0 * quality.UncoveredFraction
                                     << " % of the points lie apart from the mesh: it does not "
                                        "reach parts of the object. Learn with more neurons, or "
-                                       "from another StartingShape or HullMethod");
+                                       "with another StartingShape or HullMethod of "
+                                       "vtkConformalSOM");
   }
   if (quality.InvertedFraction > Tolerated::InvertedFraction)
   {
@@ -304,7 +305,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::SurfaceQuality& quality)
     vtkWarningWithObjectMacro(
       self, << 100.0 * quality.FoldedFraction
             << " % of the mesh's edges are folded: the points are too few or too noisy. Learn with "
-               "fewer neurons or with more Smoothness");
+               "fewer neurons, or with a larger Smoothness of vtkConformalSOM");
   }
 }
 
