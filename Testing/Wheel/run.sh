@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # run.sh [--all] [PYTHON]: make the wheel, install it in an empty virtual environment, and run tests there.
 #
-# Without --all, the wheel has the classes of the preset quickstart-files, compiled with -O1, except for the
-# library Filters/Numerics, which is that of build/dev where this exists. Only the tests of the wheel and of the
-# command are run. With it, the wheel is the one that users get, and all tests of Python are run. PYTHON is
-# Debian's python3 if it is not given.
+# Without --all, the wheel has the classes of the preset quickstart-files, compiled with -O1, and only the
+# tests of the wheel and of the command are run. With it, the wheel is the one that users get, and all tests
+# of Python are run. PYTHON is Debian's python3 if it is not given.
 # Writes build/wheel: the source distribution and the wheel in dist, logs, environments. The wheel is made of
 # the source distribution. The wheel vtk-sdk is that of Kitware's index, or where that is not reached the
-# one that make_vtk_sdk.py makes. Without PyPI, all of it is skipped.
+# one that make_vtk_sdk.py makes. Nothing of build/dev fits it: its strings are those of older GCC
+# (_GLIBCXX_USE_CXX11_ABI=0). Without PyPI, all of it is skipped.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 source Testing/steps.sh
@@ -85,9 +85,6 @@ make_wheel()
     options=(--no-build-isolation
       --config-settings=cmake.define.CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
       --config-settings=cmake.define.CONFORMALSOM_CLASSES="$(classes)")
-    if [ -e build/dev/Filters/Numerics/libconformalNumerics.a ]; then
-      options+=(--config-settings=cmake.define.CONFORMALSOM_CORE_FOLDER="$PWD/build/dev")
-    fi
   fi
   PIP_FIND_LINKS="$folder/sdk ${PIP_FIND_LINKS:-}" \
     CMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true) \
