@@ -12,6 +12,7 @@
 #include "SphereMap/GlobalConformalMap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -271,12 +272,11 @@ SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
   return result;
 }
 
-// Return the moving surface with a map that leaves more area to limbs. Return no surface if there
-// is no such map.
-std::optional<RegisteredSurface> balanced(const RegisteredSurface& surface, const Run& run)
+// Return the moving surface with another map, of a balance between angles and areas. Return no
+// surface if there is no such map.
+std::optional<RegisteredSurface> balanced(
+  const RegisteredSurface& surface, double balance, const Run& run)
 {
-  // Balance between angles and areas. A higher balance makes narrower triangles.
-  constexpr double balance = 0.25;
   GlobalConformalMapOptions options;
   options.AreaBalance = balance;
   RegisteredSurface result = surface;
@@ -300,17 +300,27 @@ SphericalRegistrationResult registerSpheres(const RegisteredSurface& moving,
   const std::vector<double>& featureWeights, const SphericalRegistrationOptions& options,
   const Run& run)
 {
-  // Progress: the registration, then another map and its registration, which are rarely necessary.
-  const double first = landmarks.empty() ? 1.0 : 0.6;
+  // Progress: the registration, then other maps and their registrations, which are rarely
+  // necessary.
+  const double first = landmarks.empty() ? 1.0 : 0.4;
   SphericalRegistrationResult result =
     registerOnce(moving, fixed, landmarks, featureWeights, options, false, run.part(0.0, first));
-  if (result.NumberOfUnmetLandmarks > 0 && !options.StartFromMaps)
+  // A higher balance leaves more area to limbs, and makes narrower triangles.
+  constexpr std::array balances = { 0.25, 0.4, 0.1 };
+  const double share = (1.0 - first) / balances.size();
+  double begin = first;
+  for (const double balance : balances)
   {
-    const auto other = balanced(moving, run.part(first, 0.7));
-    if (other)
+    if (result.NumberOfUnmetLandmarks == 0 || options.StartFromMaps)
+    {
+      break;
+    }
+    const Run part = run.part(begin, begin + share);
+    begin += share;
+    if (const auto other = balanced(moving, balance, part.part(0.0, 0.25)))
     {
       SphericalRegistrationResult again =
-        registerOnce(*other, fixed, landmarks, featureWeights, options, true, run.part(0.7, 1.0));
+        registerOnce(*other, fixed, landmarks, featureWeights, options, true, part.part(0.25, 1.0));
       if (again.NumberOfUnmetLandmarks < result.NumberOfUnmetLandmarks)
       {
         again.AgreementBefore = result.AgreementBefore;

@@ -85,8 +85,9 @@ struct SphericalRegistrationResult
 ///    move landmark vertices the rest of the way to their targets by a flow, a smooth motion of all
 ///    vertices (LandmarkFlow.h).
 /// 4. If some landmarks are not at their targets, the map of the moving surface leaves too little
-///    area to limbs. Compute another map of the moving surface, with better balanced areas
-///    (GlobalConformalMap.h), and repeat. Keep the result with fewer unmet landmarks.
+///    area to limbs, or has narrow triangles. Compute another map of the moving surface, with
+///    another balance of angles and areas (GlobalConformalMap.h), and repeat, up to three times.
+///    Keep the result with the fewest unmet landmarks.
 /// 5. Measure the result (RegistrationQuality.h).
 ///
 /// If the deformation folds a triangle of the moving surface, a smaller fraction of the deformation
