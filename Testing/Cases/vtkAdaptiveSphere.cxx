@@ -1,5 +1,6 @@
 #include "vtkAdaptiveSphere.h"
 
+#include "FuzzFilter.h"
 #include "Properties.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "Surfaces.h"
@@ -56,6 +57,20 @@ ProgressRun Makes(
     });
 }
 
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<F> sphere;
+  sphere->SetNumberOfPoints(500 + source.byte());
+  sphere->SetDensity(source.below(4));
+  sphere->SetDensityArrayName(source.flag() ? "Priority" : "Colors");
+  sphere->SetInputData(source.surface());
+  if (source.flag())
+  {
+    sphere->SetImageData(source.picture());
+  }
+  fuzz::run(sphere, true);
+}
+
 // Defaults and constants of the class and of the core.
 std::vector<Mirror> Mirrors()
 {
@@ -95,6 +110,7 @@ Case AdaptiveSphere()
     Makes(
       "Image", []() { return Head(40); }, 40000, F::IMAGE) };
   all.Mirrors = Mirrors;
+  all.Fuzz = Fuzz;
   return all;
 }
 }

@@ -1,6 +1,7 @@
 #include "vtkCurvedSeamlessMap.h"
 
 #include "Case.h"
+#include "FuzzFilter.h"
 #include "Surfaces.h"
 #include "vtkCurvedSeamlessSurface.h"
 
@@ -116,6 +117,22 @@ ScaledRun Evaluates(const char* name, bool hasAreas)
     { { "Positions", 1 }, { "Derivatives", 1 }, { "ClosestPoints", 1 }, { "Metrics", 2 },
       { "AreaElements", 2 } });
 }
+
+void Fuzz(fuzz::FilterSource& source)
+{
+  vtkNew<MapProbe> probe;
+  probe->DomeHeight = source.below(6) - 1;
+  probe->HasAreas = source.flag();
+  probe->HasLengths = source.flag();
+  const SurfacePointer surface = source.surface();
+  probe->SetInputData(surface);
+  probe->Cloud = source.flag() ? surface : source.surface();
+  // Directions and points with NaN and of wrong types among them.
+  vtkPointData* arrays = (source.flag() ? surface : source.surface())->GetPointData();
+  probe->Directions = arrays->GetArray("SpherePosition");
+  probe->Points = arrays->GetArray(source.flag() ? "Colors" : "SpherePosition");
+  fuzz::run(probe);
+}
 }
 
 Case CurvedSeamlessMap()
@@ -126,6 +143,7 @@ Case CurvedSeamlessMap()
   all.Modes = { MapMode("Curvature", Surface::CURVATURE), MapMode("flat", Surface::NONE),
     MapMode("Fitted", Surface::FITTED) };
   all.Scaled = { Evaluates("Positions", false), Evaluates("Areas", true) };
+  all.Fuzz = Fuzz;
   return all;
 }
 }
