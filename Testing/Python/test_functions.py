@@ -668,6 +668,7 @@ class TestFunctions(unittest.TestCase):
                 global sent
                 sent = time.monotonic()
                 os.kill(os.getpid(), signal.SIGINT)
+            signal.signal(signal.SIGINT, signal.default_int_handler)  # a test in the background would ignore it
             threading.Thread(target=send).start()
             try:
                 cs.learn(numpy.random.default_rng(1).normal(size=(100000, 3)), **{ENDLESS!r})
