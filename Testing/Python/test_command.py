@@ -44,6 +44,11 @@ COARSE = ("--neurons", "162", "--points", "1000")
 COARSE_POINTS = range(980, 1021)  # those of --points 1000 within 2 percent
 
 
+def heed_interrupts():
+    """Let SIGINT end this process, also if a script has started it in the background."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def command(folder, *arguments):
     """Run the command as a user would, from the folder, and without a path to the package."""
     environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
@@ -355,7 +360,7 @@ class TestCommand(unittest.TestCase):
                 process = subprocess.Popen(
                     [COMMAND, "my scan.vtp", "-o", folder + "/x.glb", "-o", folder + "/x.vtp", "--neurons", "40000"],
                     cwd=self.folder, stderr=end, env={**os.environ, "TERM": "xterm"},
-                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))  # which a script may ignore
+                    preexec_fn=heed_interrupts)
                 os.close(end)
                 shown = b""
                 while b"Learn the mesh" not in shown:  # it runs
@@ -570,7 +575,7 @@ class TestFormats(unittest.TestCase):
             "scan.pcd": "PCD", "lh.white": "FreeSurfer", "scan.surf.gii": "GIFTI",
             "scan.conf": "StanfordScans", "scan.tab": "PlateModel", "ply without extension": "ConformalPLY",
             "shape_surf.vtk": "SPHARMSurface"}  # with shape_para.vtk beside it
-    VTKS = {"scan.obj": scan_files.OBJReader, "scan.stl": vtkSTLReader, "scan.vtp": vtkXMLPolyDataReader,
+    VTKS = {"scan.obj": scan_files.OBJReader, "scan.stl": scan_files.STLReader, "scan.vtp": vtkXMLPolyDataReader,
             "scan.vtk": vtkPolyDataReader}
 
     @classmethod

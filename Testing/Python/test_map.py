@@ -22,6 +22,7 @@ from conformalsom import vtkConformalPLYReader, vtkGeodesicSphereSource
 from conformalsom.command import geotiff, jobs, main, map_picture, mapped_files, maps
 from conformalsom.command.plan import WrongUsage
 from conformalsom.command.steps import Steps
+from test_command import heed_interrupts
 
 try:
     from osgeo import gdal
@@ -233,7 +234,8 @@ class TestMap(unittest.TestCase):
                 self.addCleanup(os.close, terminal)
                 words = [*PROGRAM, "map", large, "-o", self.path_of("stopped.tif")]
                 process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=end,
-                                           env={**os.environ, "TERM": "xterm", "COLUMNS": "200"})
+                                           env={**os.environ, "TERM": "xterm", "COLUMNS": "200"},
+                                           preexec_fn=heed_interrupts)
                 os.close(end)
                 self.addCleanup(process.kill)
                 shown = b""

@@ -405,7 +405,7 @@ class TestPipeline(unittest.TestCase):
         promised = list(promised_arrays())
         self.assertGreater(len(promised), 10)
         for name, where, components, types, writers in promised:
-            for writer in writers:
+            for writer in set(writers) - set(output_cases.UNTRIED_READERS):
                 with self.subTest(f"{name} of {writer}"):
                     found = [array for place, array in self.written[writer]
                              if place == where and array.GetName() == name]
@@ -444,7 +444,8 @@ class TestPipeline(unittest.TestCase):
         concrete = {name for name, type_ in vars(conformalsom).items() if isinstance(type_, type)
                     and issubclass(type_, vtkAlgorithm) and not name.endswith("Writer")
                     and name != "vtkSurfaceFileReader"}
-        self.assertEqual({writer.split(" with ")[0] for writer in self.written}, concrete)
+        self.assertEqual({writer.split(" with ")[0] for writer in self.written},
+                         concrete - set(output_cases.UNTRIED_READERS))
 
     def test_every_stage_is_closed_and_of_genus_zero(self):
         for name in ("vtkConformalSOM", "vtkCurvedSeamlessSurface", "vtkGenusZeroHull"):

@@ -9,10 +9,10 @@ import warnings
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOGeometry import vtkSTLWriter
+from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 
 import conformalsom
-from conformalsom.command import finite_points, obj_files, scan_files, shape_steps
+from conformalsom.command import finite_points, obj_files, scan_files, shape_steps, stl_files
 from conformalsom.command.steps import Steps
 from conformalsom.messages import heard
 from test_command import colored, egg, hues, points_of, write
@@ -141,11 +141,34 @@ class TestSTL(Folder):
 
     def test_whole_files_are_read(self):
         named = b"solid made by a program".ljust(80) + self.binary[80:]
-        for content in (self.text, self.text.replace(b"solid", b"SOLID", 1), b"\n " + self.text, self.binary, named):
+        for content, times in ((self.text, 1), (self.text.replace(b"solid", b"SOLID", 1), 1), (self.text.upper(), 1),
+                               (b"\n " + self.text, 1), (self.text.replace(b"\n", b"\r\n"), 1), (self.binary, 1),
+                               (named, 1), (2 * self.text, 2)):
             with self.subTest(content[:10]):
                 reader = scan_files.scan_reader(self.file(content, "scan.stl"))
                 reader.Update()
-                self.assertEqual(reader.GetOutput().GetNumberOfPolys(), egg(2).GetNumberOfPolys())
+                self.assertEqual(reader.GetOutput().GetNumberOfPolys(), times * egg(2).GetNumberOfPolys())
+
+    def test_points_and_triangles_are_those_of_vtk(self):
+        for name in ("text.stl", "binary.stl"):
+            path = os.path.join(self.folder, name)
+            expected, (found, _) = vtkSTLReader(), stl_files.read(path)
+            expected.SetFileName(path)
+            expected.Update()
+            self.assertEqual(points_of(found).tolist(), points_of(expected.GetOutput()).tolist())
+            self.assertEqual([list(ids) for ids in corners_of(found)],
+                             [list(ids) for ids in corners_of(expected.GetOutput())])
+
+    def test_triangles_with_equal_corners_are_left_out(self):
+        rows = "vertex 0 0 0\nvertex 1 0 0\nvertex {} 0\nendloop\n"
+        path = self.file("solid\n" + rows.format("0 1") + rows.format("1 -0") + "endsolid\n", "scan.stl")
+        data, _ = stl_files.read(path)
+        self.assertEqual((data.GetNumberOfPoints(), data.GetNumberOfPolys()), (3, 1))
+
+    def test_coordinates_of_maps_keep_their_digits(self):
+        rows = "vertex 5400000.125 0 0\nvertex 5400001 0 0\nvertex 5400000 1 0\nendloop\nendsolid\n"
+        data, _ = stl_files.read(self.file("solid\n" + rows, "scan.stl"))
+        self.assertEqual(points_of(data)[0].tolist(), [5400000.125, 0, 0])
 
     def test_other_files_are_refused(self):
         named = b"solid made by a program".ljust(80) + self.binary[80:]
@@ -153,9 +176,12 @@ class TestSTL(Folder):
         for content, message in ((self.binary[:-1], "incomplete"), (named[:-50], "incomplete"),
                                  (self.binary + bytes(100), "100 bytes follow the 80 triangles"),
                                  (fewer, "3,500 bytes follow the 10 triangles"), (b"", "not an STL file"),
-                                 (b"a text", "not an STL file")):
+                                 (b"a text", "not an STL file"), (b"solid a\nendsolid a\n", "not an STL file"),
+                                 *((self.text[:size], "line|incomplete") for size in range(300, len(self.text) - 20, 397)),
+                                 (self.text.replace(b"vertex ", b"vertex a", 1), "line 4: expected three numbers"),
+                                 (self.text.replace(b"   vertex", b"   point", 1), "line 7: expected a triangle")):
             with self.subTest(content[:10], size=len(content)), self.assertRaisesRegex(ValueError, message):
-                scan_files.scan_reader(self.file(content, "scan.stl"))
+                stl_files.read(self.file(content, "scan.stl"))
 
 
 class TestFinitePoints(unittest.TestCase):

@@ -28,7 +28,7 @@ from conformalsom import (
 from conformalsom.command import outputs, shape_results, shape_steps, shapes
 from conformalsom.command.steps import Steps
 from samples import write_las
-from test_command import COMMAND, command, files_in, read, write
+from test_command import COMMAND, command, files_in, heed_interrupts, read, write
 
 NUMBER = 12
 MARKS = ("scan,x,y,z\n", "scan,name,x,y,z\nshape 00,nose,1,2,3\n", "scan,name,x,y,z\nshape 00,nose,1,n,3\n",
@@ -303,7 +303,8 @@ class TestStops(unittest.TestCase):
         folder = os.path.join(self.folder, "stopped")
         work, kept = os.path.join(folder, "work"), {}
         for number, files in ((signal.SIGTERM, 1), (signal.SIGKILL, 4), (signal.SIGINT, 7)):
-            process = subprocess.Popen([COMMAND, "shapes", *self.names, "-o", folder, *SMALL], cwd=self.folder)
+            process = subprocess.Popen([COMMAND, "shapes", *self.names, "-o", folder, *SMALL], cwd=self.folder,
+                                       preexec_fn=heed_interrupts)
             deadline = time.monotonic() + 120
             while process.poll() is None and time.monotonic() < deadline and len(glob.glob(work + "/*.vtp")) < files:
                 time.sleep(0.002)

@@ -120,7 +120,8 @@ if [ -z "$all" ]; then
   run_files Testing/Wheel/test_wheel.py Testing/Python/test_command.py
 else
   others=(Testing/Python/test_{functions,pyvista,stubs}.py) # also use packages that the wheel does not need
-  mapfile -t files < <(ls Testing/Python/test_*.py | grep --invert-match --fixed-strings "$(printf '%s\n' "${others[@]}")")
+  mapfile -t files < <(ls Testing/Python/test_*.py | grep --invert-match --fixed-strings \
+    "$(printf '%s\n' "${others[@]}" test_manual)") # the wheel has no manual pages
   run_files Testing/Wheel/test_wheel.py "${files[@]}" Testing/Python/test_functions.py
   logged "$folder/install.log" "Installing PyVista, trimesh and mypy" "$user" -m pip install pyvista trimesh mypy
   run_files "${others[@]}"

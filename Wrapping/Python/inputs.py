@@ -8,12 +8,12 @@ import numpy.typing as npt
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkCallbackCommand, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
-from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOImage import vtkNrrdReader
 from vtkmodules.vtkIOLegacy import vtkDataReader
 from vtkmodules.vtkIOXML import vtkXMLReader
 
-from conformalsom.command import obj_files, scan_files, textures, volumes
+from conformalsom.command import scan_files, textures, volumes
+from conformalsom.command.python_reader import PythonReader
 from conformalsom.messages import FilterFailed, errors_outside
 from conformalsom.running import run, warn
 
@@ -212,8 +212,8 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
     reader_class = scan_files.reader_class(name)
     if reader_class is None and not os.path.exists(name):
         raise missing(name, os.strerror(errno.ENOENT))
-    if reader_class is scan_files.OBJReader:  # a class of Python, which cannot run on another thread
-        return read_obj(name, texts)
+    if reader_class is not None and issubclass(reader_class, PythonReader):  # which cannot run on another thread
+        return read_by_python(reader_class, name, texts)
     # Without a class, scan_reader() raises an error that lists the known types.
     reader: typing.Any = scan_files.scan_reader(name) if reader_class is None else reader_class()
     reader.SetFileName(name)
@@ -224,16 +224,14 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
         if os.path.exists(name):
             raise
         raise missing(name, str(error)) from None
-    if isinstance(reader, vtkSTLReader):
-        scan_files.check_stl(name)
     keep(texts, warnings)
     return reader.GetOutputDataObject(0)
 
 
-def read_obj(name: str, texts: Texts) -> vtkPolyData:
-    """Read an .obj file; a warning of the reader is issued as FilterWarning, and added to texts."""
+def read_by_python(reader_class: typing.Any, name: str, texts: Texts) -> vtkPolyData:
+    """Read an .obj or .stl file; a warning of the reader is issued as FilterWarning, and added to texts."""
     try:
-        data, warning = obj_files.read(name)
+        data, warning = reader_class.read_file(name)
     except ValueError as error:
         raise ValueError(f"{name}: {error}") from None
     if warning:

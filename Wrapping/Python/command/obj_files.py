@@ -8,53 +8,13 @@ import math
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from .finite_points import cells_of
+from .python_reader import PythonReader
 
 FLOAT_SHIFT = 1e-5  # of the size, by which floats may shift points
-
-
-class OBJReader(VTKPythonAlgorithmBase):
-    """Reads vertices, in the order of the file, with their colors, and polygons.
-
-    Normals are read if the file has no polygons and one normal for each vertex.
-    """
-
-    def __init__(self):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
-        self.path = ""
-
-    def SetFileName(self, path):  # pylint: disable=invalid-name
-        """Set the file to read."""
-        if path != self.path:
-            self.path = path
-            self.Modified()
-
-    def GetOutput(self):  # pylint: disable=invalid-name
-        """Return the surface or cloud."""
-        return self.GetOutputDataObject(0)
-
-    def RequestData(self, _request, _inputs, outputs):  # pylint: disable=invalid-name
-        """Read the file. What is wrong with it is an ErrorEvent or a WarningEvent."""
-        try:
-            data, warning = read(self.path)
-        except (ValueError, OSError) as error:
-            self.report("ErrorEvent", str(error))
-            return 0
-        if warning:
-            self.report("WarningEvent", warning)
-        vtkPolyData.GetData(outputs).ShallowCopy(data)
-        return 1
-
-    def report(self, event, text):
-        """Invoke an event, or print the text if there is no observer, as filters of VTK do."""
-        if self.HasObserver(event):
-            self.InvokeEvent(event, text)
-        else:
-            vtkOutputWindow.GetInstance().DisplayErrorText(f"{self.path}: {text}\n")
 
 
 def read(path):
@@ -198,3 +158,11 @@ def named(values, name):
     result = numpy_to_vtk(values, deep=True)
     result.SetName(name)
     return result
+
+
+class OBJReader(PythonReader):
+    """Reads vertices, in the order of the file, with their colors, and polygons.
+
+    Normals are read if the file has no polygons and one normal for each vertex.
+    """
+    read_file = staticmethod(read)

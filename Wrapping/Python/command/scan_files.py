@@ -1,11 +1,9 @@
 """Scans from files."""
 import os
-import struct
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkIOGeometry import vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -13,13 +11,14 @@ import conformalsom
 
 from . import outputs
 from .obj_files import OBJReader
+from .stl_files import STLReader
 
 OUR_READERS = [reader for reader in vars(conformalsom).values()
                if hasattr(reader, "CanReadFile") and issubclass(reader, conformalsom.vtkSurfaceFileReader)]
 SHIFT = "CoordinateShift"  # field array
 VTK_READERS = {
     ".obj": OBJReader,
-    ".stl": vtkSTLReader,
+    ".stl": STLReader,
     ".vtp": vtkXMLPolyDataReader,
     ".vtk": vtkPolyDataReader,
 }
@@ -46,10 +45,7 @@ def scan_reader(path):
     """The reader for a scan, with the file name set."""
     extensions = [extension for ours in OUR_READERS for extension in ours().GetFileExtensions().split()]
     known = " ".join(sorted({*extensions, *VTK_READERS}))
-    reader = opened(path, reader_class, known + outputs.lacking("Reader"))
-    if isinstance(reader, vtkSTLReader):
-        check_stl(path)
-    return reader
+    return opened(path, reader_class, known + outputs.lacking("Reader"))
 
 
 def shift_of(points):
@@ -98,36 +94,10 @@ def note_shift(points, steps):
         steps.note("Read the scan", f"coordinates are large; {numbers} is subtracted from those of all written files")
 
 
-def check_stl(path):
-    """Raise ValueError for what is no STL file, or has less or more than its triangles, which VTK's reader takes."""
-    with open(path, "rb") as file:
-        head = file.read(256)
-    if is_text(head):
-        if not head.lstrip().lower().startswith(b"solid"):
-            raise ValueError(f"{path}: not an STL file")
-        return
-    triangles = struct.unpack_from("<I", head, 80)[0] if len(head) >= 84 else 0
-    more = os.path.getsize(path) - 84 - 50 * triangles
-    if triangles == 0 or more < 0:
-        raise ValueError(f"{path}: not an STL file, or an incomplete one")
-    if more > 0:
-        raise ValueError(f"{path}: {more:,} bytes follow the {triangles:,} triangles that the file states; "
-                         "remove these bytes, or correct the number")
-
-
-def is_text(head):
-    """Whether VTK's reader takes an .stl file with these first 256 bytes as text.
-
-    The first word does not decide: headers of binary files may begin with solid, too.
-    """
-    others = sum(not (32 <= byte < 128 or byte in b"\t\n\r") for byte in head)
-    return bool(head) and others < 0.05 * len(head)
-
-
 def inputs_of(path):
     """The files that reading a scan reads, as its reader names them: a list of scans names others."""
     reader_type = reader_class(path) if os.path.isfile(path) else None
-    if reader_type not in OUR_READERS:  # VTK's readers read no other file
+    if reader_type not in OUR_READERS:  # the others read no other file
         return [path]
     reader = reader_type()
     reader.SetFileName(path)
