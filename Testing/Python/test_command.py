@@ -233,8 +233,8 @@ class TestCommand(unittest.TestCase):
                 ((*good, "--texture", "changed.png"), "changed.png: the picture is broken"),
                 ((*good, "--texture", "text.png"), "text.png: not a PNG file"),
                 ((*good, "--texture", "text.jpg"), "text.jpg: not a JPEG file"),
-                (("jpeg.stl",), "jpeg.stl: not an STL file, or an incomplete one"),
-                (("short.stl",), "short.stl: not an STL file, or an incomplete one"),
+                (("jpeg.stl",), "jpeg.stl: Read the scan: not an STL file, or an incomplete one"),
+                (("short.stl",), "short.stl: Read the scan: not an STL file, or an incomplete one"),
                 (("short.vtk",), "short.vtk: Error reading"),
                 ((*good, "--texture", "huge.png"), "huge.png: the picture has 200000 x 200000 pixels; there can be")):
             with self.subTest(arguments):
