@@ -83,13 +83,13 @@ fuzz()
 {
   local unit found program=build/fuzz/Testing/Fuzz/FuzzClass
   unit="$(basename "$1" .inputs)"
-  found="build/fuzz/found/$unit"
+  found="$PWD/build/fuzz/found/$unit" # writers are run in another folder
   if [ -x "build/fuzz/Testing/Fuzz/Fuzz$unit" ]; then
     program="build/fuzz/Testing/Fuzz/Fuzz$unit"
   fi
   python3 Testing/Fuzz/corpus.py unpack "$1" "$found"
   CONFORMALSOM_FUZZED_CLASS="vtk$unit" logged "build/fuzz/$unit.log" "Fuzzing $unit" \
-    "$program" -max_total_time="${FUZZ_SECONDS:-600}" -artifact_prefix="build/fuzz/$unit-" "$found"
+    "$program" -max_total_time="${FUZZ_SECONDS:-600}" -artifact_prefix="$PWD/build/fuzz/$unit-" "$found"
 }
 
 check_fuzz()

@@ -128,7 +128,8 @@ void Fuzz(fuzz::FilterSource& source)
   probe->SetInputData(surface);
   probe->Cloud = source.flag() ? surface : source.surface();
   // Directions and points with NaN and of wrong types among them.
-  vtkPointData* arrays = (source.flag() ? surface : source.surface())->GetPointData();
+  const SurfacePointer other = source.flag() ? surface : source.surface();
+  vtkPointData* arrays = other->GetPointData();
   probe->Directions = arrays->GetArray("SpherePosition");
   probe->Points = arrays->GetArray(source.flag() ? "Colors" : "SpherePosition");
   fuzz::run(probe);
