@@ -64,7 +64,8 @@
  * Landmarks are matched as closely as the map allows without folds. If some landmarks are not
  * matched, the moving surface is mapped to the sphere again with an AreaBalance of 0.25, then 0.4,
  * then 0.1, see vtkGlobalConformalMap, and the registration is repeated until all are matched. If
- * some landmarks are still not matched, a warning states their number. With MOEBIUS, folded triangles are repaired, if possible.
+ * some landmarks are still not matched, a warning states their number. With MOEBIUS, folded
+ * triangles are repaired, if possible.
  *
  * @sa
  * vtkSphericalAlignment vtkSphericalMorph vtkSphericalResample
