@@ -143,8 +143,10 @@ std::vector<std::pair<int, int>> LandmarksOf(const RegisteredPair& surfaces,
     {
       throw std::invalid_argument("the position of a landmark is not finite");
     }
-    pairs.emplace_back(NearestVertex(surfaces.Moving, surfaces.From, position.data(), "moving"),
-      NearestVertex(surfaces.Fixed, surfaces.To, position.data() + 3, "fixed"));
+    // Compilers evaluate arguments in different orders: the first error must not depend on it.
+    const int from = NearestVertex(surfaces.Moving, surfaces.From, position.data(), "moving");
+    const int to = NearestVertex(surfaces.Fixed, surfaces.To, position.data() + 3, "fixed");
+    pairs.emplace_back(from, to);
   }
   std::set<int> used;
   for (const auto& pair : pairs)

@@ -257,7 +257,11 @@ TEST_F(SphericalRegistration, RefusesWhatItCannotUse)
   this->Filter->AddLandmarkPosition(0.0, 0.0, std::nan(""), 0.0, 0.0, 0.0);
   this->ExpectRefused("the position of a landmark is not finite");
   this->Filter->RemoveAllLandmarkPositions();
-  this->Filter->AddLandmarkPosition(1.0, 0.0, 0.0, 1000.0, 0.0, 0.0);
+  this->Filter->AddLandmarkPosition(1000.0, 0.0, 0.0, 1000.0, 0.0, 0.0);
+  this->ExpectRefused("of the moving surface, but must be closer than 5 % of the diagonal");
+  this->Filter->RemoveAllLandmarkPositions();
+  const double* point = this->Moving->GetPoint(0);
+  this->Filter->AddLandmarkPosition(point[0], point[1], point[2], 1000.0, 0.0, 0.0);
   this->ExpectRefused("of the fixed surface, but must be closer than 5 % of the diagonal");
   this->Filter->RemoveAllLandmarkPositions();
   this->Filter->SetSpaceOfTransformsToMoebius();
