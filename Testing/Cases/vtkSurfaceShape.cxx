@@ -39,8 +39,8 @@ Case SurfaceShape()
   all.Fuzz = [](fuzz::FilterSource& source)
   {
     const SurfacePointer surface = source.surface();
-    surface->GetPointData()->RemoveArray(
-      "SpherePosition"); // is passed as it is, also a damaged one
+    // The filter passes a map as it is, also a damaged one.
+    surface->GetPointData()->RemoveArray("SpherePosition");
     vtkNew<F> filter;
     filter->SetInputDataObject(0, surface);
     fuzz::run(filter);

@@ -119,10 +119,10 @@ struct LandmarkPairs
 };
 
 // Move the moving surface's vertices by the deformation, then to the landmarks. If the landmarks
-// cannot be reached after the whole deformation, and `isLastAttempt`, try smaller fractions of the
-// deformation.
+// cannot be reached after the whole deformation, and the registration `isRepeated`, try smaller
+// fractions of the deformation.
 Points carriedToLandmarks(const PreparedSurface& moving, const SphereDeformation& deformation,
-  const LandmarkPairs& landmarks, bool isLastAttempt, Index& numberOfUnmet, const Run& run)
+  const LandmarkPairs& landmarks, bool isRepeated, Index& numberOfUnmet, const Run& run)
 {
   const FoldRepair repair(moving.mesh());
   LandmarkFlowOptions flowing;
@@ -143,7 +143,7 @@ Points carriedToLandmarks(const PreparedSurface& moving, const SphereDeformation
       flow = found;
       best = std::move(places);
     }
-    if (flow.NumberOfUnmet == 0 || !isLastAttempt)
+    if (flow.NumberOfUnmet == 0 || !isRepeated)
     {
       break;
     }
@@ -217,7 +217,7 @@ std::vector<double> withPositionsAndProximities(std::vector<double> weights,
 SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
   const RegisteredSurface& fixed, const std::vector<std::pair<int, int>>& landmarks,
   const std::vector<double>& featureWeights, const SphericalRegistrationOptions& options,
-  bool isLastAttempt, const Run& run)
+  bool isRepeated, const Run& run)
 {
   const bool diffeomorphic = options.Space == SpaceOfTransforms::Diffeomorphic;
   const bool withShape = options.ShapeWeight > 0.0, withPositions = options.PositionWeight > 0.0;
@@ -247,7 +247,7 @@ SphericalRegistrationResult registerOnce(const RegisteredSurface& moving,
   {
     SphericalRegistrationResult result;
     result.SpherePositions = diffeomorphic ? carriedToLandmarks(from, deformation, pairs,
-                                               isLastAttempt, result.NumberOfUnmetLandmarks, part)
+                                               isRepeated, result.NumberOfUnmetLandmarks, part)
                                            : transformed(from, pairs, deformation, kind, part);
     result.Stretch = registrationStretch(from, to, result.SpherePositions, 2 * options.Frequency);
     result.AgreementBefore = agreementBefore;

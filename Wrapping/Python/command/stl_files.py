@@ -1,6 +1,6 @@
 """Read scans from .stl files.
 
-VTK's reader takes what is left of a binary file that was cut. Since VTK 9.4 it refuses text files that begin with SOLID
+VTK's reader takes what is left of a binary file that was cut. That of VTK 9.6 refuses text files that begin with SOLID
 or with a space, and reads other triangles than those of the file from some text files that were cut.
 """
 import array
@@ -92,16 +92,13 @@ def surface(corners):
     is_new = np.ones(len(order), bool)
     is_new[1:] = (vertices[order[1:]] != vertices[order[:-1]]).any(axis=1)
     # lexsort is stable: the first of equal vertices is the first of the file.
-    firsts = order[is_new]
-    ids = np.empty(len(order), np.int64)
-    ids[order] = np.cumsum(is_new) - 1
-    by_file = np.argsort(firsts)
-    rank = np.empty_like(by_file)
-    rank[by_file] = np.arange(len(by_file))
-    triangles = rank[ids].reshape(-1, 3)
+    first = np.empty_like(order)
+    first[order] = order[is_new][np.cumsum(is_new) - 1]
+    kept, ids = np.unique(first, return_inverse=True)
+    triangles = ids.reshape(-1, 3)
     triangles = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
     data, points = vtkPolyData(), vtkPoints()
-    points.SetData(numpy_to_vtk(vertices[firsts[by_file]], deep=True))
+    points.SetData(numpy_to_vtk(vertices[kept], deep=True))
     data.SetPoints(points)
     data.SetPolys(cells_of(np.full(len(triangles), 3), triangles.ravel()))
     return data
