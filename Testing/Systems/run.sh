@@ -3,10 +3,11 @@
 #
 # For each suite of Debian (bookworm, trixie, forky ...) makes a minimal system by debootstrap, clones
 # the last commit into it, and there, as a user who is not root but may sudo, runs
-# Examples/quickstart.sh and Testing/run.sh. Prints a row for each: whether the first command built and
-# ran, whether its figures equal Testing/Systems/figures.txt, and how many tests passed, of VTK and of
-# ParaView. Fails if a row is not all well.
+# Examples/quickstart.sh, without and with files, and Testing/run.sh. Prints a row for each: whether the
+# first command built and ran, whether its figures equal Testing/Systems/figures.txt, whether the second
+# ran, and how many tests passed, of VTK and of ParaView. Fails if a row is not all well.
 #
+#   --quickstart   without Testing/run.sh
 #   --folder DIR   for the systems, 8 GB each, and for their logs; default build/systems
 #   --cache DIR    keep packages and what ccache compiled there for the next run
 #   --keep         go on in systems that are there, with the packages they have
@@ -14,10 +15,11 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/debian.sh"
 
-folder=$source_dir/build/systems cache='' keep='' mirror=''
+folder=$source_dir/build/systems cache='' keep='' mirror='' tested=yes
 while [[ ${1:-} == --* ]]; do
   case $1 in
     --folder) folder=$(realpath --canonicalize-missing "$2"); shift 2 ;;
+    --quickstart) tested=''; shift ;;
     --cache) cache=$(realpath --canonicalize-missing "$2"); shift 2 ;;
     --keep) keep=yes; shift ;;
     --mirror) mirror=$2; shift 2 ;;
@@ -82,8 +84,8 @@ tests()
 said=''
 trap '[ $? -eq 0 ] || [ -z "$said" ] || tail "$said" >&2' EXIT
 
-row='%-10s %-8s %-8s %-8s %-10s %-8s %-26s %s\n'
-printf "$row" suite VTK ParaView Python quickstart figures tests "tests of the plugin"
+row='%-10s %-8s %-8s %-8s %-10s %-8s %-10s %-26s %s\n'
+printf "$row" suite VTK ParaView Python quickstart figures "own files" tests "tests of the plugin"
 status=0
 for suite in "$@"; do
   root=$folder/$suite
@@ -96,10 +98,15 @@ for suite in "$@"; do
     >"$root.quickstart.log" 2>&1 </dev/null || { quickstart=failed; status=1; }
   grep --extended-regexp '^(learned|smooth) ' "$root.quickstart.log" |
     cmp --quiet - "$source_dir/Testing/Systems/figures.txt" || { figures=differ; status=1; }
-  in_system "$root" tester 'cd ConformalSOM && bash Testing/run.sh' >"$root.tests.log" 2>&1 </dev/null ||
-    status=1
+  own=ran
+  in_system "$root" tester 'cp ConformalSOM/build/quickstart/{surface.obj,rosette.png} . &&
+    cd ConformalSOM && bash Examples/quickstart.sh ~/surface.obj ~/rosette.png' \
+    >"$root.files.log" 2>&1 </dev/null || { own=failed; status=1; }
+  if [ -n "$tested" ]; then
+    in_system "$root" tester 'cd ConformalSOM && bash Testing/run.sh' >"$root.tests.log" 2>&1 </dev/null || status=1
+  fi
   printf "$row" "$suite" "$(version "$root" libvtk9-dev)" "$(version "$root" paraview)" \
-    "$(version "$root" python3)" "$quickstart" "$figures" "$(tests "$root/$clone/build/dev/test.log")" \
+    "$(version "$root" python3)" "$quickstart" "$figures" "$own" "$(tests "$root/$clone/build/dev/test.log")" \
     "$(tests "$root/$clone/build/paraview/test.log")"
 done
 exit "$status"
