@@ -132,6 +132,11 @@ void Fuzz(fuzz::FilterSource& source)
   vtkPointData* arrays = other->GetPointData();
   probe->Directions = arrays->GetArray("SpherePosition");
   probe->Points = arrays->GetArray(source.flag() ? "Colors" : "SpherePosition");
+  if (probe->Directions && probe->Directions->GetNumberOfTuples() == 0)
+  {
+    probe->Update(); // of no directions, an answer has no points, which is no error
+    return;
+  }
   fuzz::run(probe);
 }
 }

@@ -28,6 +28,7 @@ make_system()
   # All suites that debootstrap may not know yet are made as sid is.
   debootstrap --variant=minbase --include="ca-certificates${3:+,$3}" "$1" "$2" "$mirror" sid
   cp /etc/resolv.conf /etc/hosts "$2/etc"
+  echo force-unsafe-io >"$2/etc/dpkg/dpkg.cfg.d/unsafe-io" # a system for tests need not survive a power failure
   apt-config dump Acquire >"$2/etc/apt/apt.conf.d/01host"
   chroot "$2" useradd --create-home --shell /bin/bash tester
   touch "$2/complete"
