@@ -1,6 +1,9 @@
 """What holds for the wheel only: its files, its check of VTK, its writer of pages, its command."""
+import glob
 import importlib.metadata
 import os
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -54,6 +57,22 @@ class TestWheel(unittest.TestCase):
         folders = {os.path.dirname(path) for path in libraries}
         expected = {FOLDER, os.path.join(os.path.dirname(FOLDER), "vtkmodules")}
         self.assertEqual(folders, expected)
+
+    def test_needs_no_library_of_the_system_it_was_built_on(self):
+        if not shutil.which("readelf"):
+            self.skipTest("readelf is not installed")
+        tables = [subprocess.run(["readelf", "--dynamic", path], capture_output=True, text=True, check=True).stdout
+                  for path in glob.glob(os.path.join(FOLDER, "*.so"))]
+        needed = set(re.findall(r"NEEDED.*\[(.*)\]", "".join(tables)))
+        others = {name for name in needed if not re.match(r"libvtk|lib(c|m|stdc\+\+|gcc_s|pthread|dl)\.so|ld-linux", name)}
+        self.assertIn("libc.so.6", needed)
+        self.assertEqual(others, set())
+
+    def test_compresses_by_its_own_meshoptimizer(self):
+        self.assertTrue(conformalsom.vtkTexturedSurfaceWriter.GetHasMeshopt())
+        for name in ("meshoptimizer", "three.js"):
+            with open(os.path.join(FOLDER, "licenses", name + ".txt"), encoding="utf-8") as file:
+                self.assertIn("Permission is hereby granted", file.read())
 
     def test_refuses_another_version_of_vtk(self):
         for version in ("9.1.0", "9.5.2", "9.7.0", "10.6.2"):
