@@ -91,7 +91,7 @@ endif ()
 
 # conformal_add_meshoptimizer(): the target that a system's package has, with the sources that the writer uses
 function (conformal_add_meshoptimizer)
-  set(units allocator indexcodec vcacheoptimizer vertexcodec vertexfilter vfetchoptimizer)
+  set(units allocator indexcodec indexgenerator vcacheoptimizer vertexcodec vertexfilter vfetchoptimizer)
   list(TRANSFORM units REPLACE "(.+)" "${CONFORMALSOM_MESHOPTIMIZER}/\\1.cpp")
   add_library(meshoptimizer STATIC ${units})
   add_library(meshoptimizer::meshoptimizer ALIAS meshoptimizer)
