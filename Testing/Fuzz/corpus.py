@@ -3,7 +3,8 @@
 
     corpus.py unpack FILE FOLDER    for a fuzzer to start from
     corpus.py pack FOLDER FILE      what a fuzzer has left in a folder
-    corpus.py check FOLDER          that the files there are few, small, and as pack writes them
+    corpus.py check FOLDER CASES    that the files there are few, small, and as pack writes them, and that each class
+                                    with a case in the folder CASES that makes surfaces of bytes has one
 
 A file holds one input after the other, shortest first, each behind its number of bytes on a line.
 """
@@ -54,7 +55,7 @@ def unpack(path, folder):
         write(os.path.join(folder, hashlib.sha1(data).hexdigest()), data)
 
 
-def check(folder):
+def check(folder, cases):
     files = sorted(os.listdir(folder))
     contents = [read(os.path.join(folder, name)) for name in files]
     total = sum(map(len, contents))
@@ -62,13 +63,17 @@ def check(folder):
     for name, content in zip(files, contents):
         if packed(unpacked(content)) != content:
             raise ValueError(f"{name} is not as pack writes it")
+    for case in sorted(glob.glob(os.path.join(cases, "vtk*.cxx"))):
+        name = os.path.basename(case)[len("vtk"):-len(".cxx")] + ".inputs"
+        if b'"FuzzFilter.h"' in read(case) and name not in files:
+            raise ValueError(f"{name} is missing: run the fuzzer on an empty folder, and pack that")
     if not 0 < len(files) <= MOST_FILES or total > MOST_BYTES:
         raise ValueError(f"expected at most {MOST_FILES} files of {MOST_BYTES:,} bytes in all")
 
 
 if __name__ == "__main__":
     commands = {"pack": pack, "unpack": unpack, "check": check}
-    if len(sys.argv) < 3 or sys.argv[1] not in commands:
+    if len(sys.argv) != 4 or sys.argv[1] not in commands:
         sys.exit(__doc__)
     try:
         commands[sys.argv[1]](*sys.argv[2:])
