@@ -252,7 +252,8 @@ class TestCommand(unittest.TestCase):
                 ("--view and --up must be finite", "my scan.vtp", "-o", "x.glb", "--view", "0", "2", "0"),
                 ("not parallel", "my scan.vtp", "-o", "x.glb", "--view", "0", "nan", "1"),
                 ("x.glb would be written twice", "my scan.vtp", "other.ply", "-o", "x.glb"),
-                ("x.png would be written twice", "my scan.vtp", "-o", "x.obj", "--picture", "x.png"),
+                ("x.png would be written twice, also as a file that belongs to another one", "my scan.vtp", "-o", "x.obj", "--picture", "x.png"),
+                ("new/ is the name of a folder", "my scan.vtp", "-o", "x.glb", "--report", "new/"),
                 ("out is not a regular file", "my scan.vtp", "--report", "out", "--overwrite"),
                 ("my scan.vtp cannot be written to", "my scan.vtp", "-o", "my scan.vtp/x.glb"),
                 (r"n\xfcr.ply: names of files must be UTF-8", os.fsdecode(b"n\xfcr.ply"), "-o", "x.glb")):

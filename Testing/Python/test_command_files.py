@@ -3,6 +3,7 @@ rights; what cannot be written is noticed before any work; and checks cost in pr
 import contextlib
 import errno
 import io
+import json
 import os
 import resource
 import stat
@@ -11,16 +12,19 @@ import tempfile
 import unittest
 from unittest import mock
 
-
 import conformalsom
-from conformalsom.command import main, outputs, plan, scan_files
-from conformalsom.command.steps import Steps
+import numpy as np
+from conformalsom.command import outputs, plan, scan_files
+from conformalsom.command.steps import Steps, message_of
 from conformalsom.messages import heard
 from samples import write_las
-from test_command import COARSE, COMMAND, command, egg, files_in, textures, write
+from test_command import COARSE, COMMAND, command, egg, files_in, points_of, read, textures, write
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
+from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -31,6 +35,15 @@ NO_BREAK = "\u00a0"
 def put(text, *path):
     with open(os.path.join(*path), "w", encoding="utf-8") as file:
         file.write(text)
+
+
+def far(surface):
+    """The surface where floats are too coarse for it."""
+    points, moved = vtkPoints(), vtkPolyData()
+    points.SetData(numpy_to_vtk(points_of(surface) + (4e6, -5e6, 3e6), deep=True))
+    moved.SetPoints(points)
+    moved.SetPolys(surface.GetPolys())
+    return moved
 
 
 class Folder(unittest.TestCase):
@@ -376,7 +389,7 @@ class TestWords(Folder):
         for error, text in ((OSError(errno.ENOSPC, "No space left on device"), "No space left on device"),
                             (OSError(errno.ENOSPC, "No space left on device", "x"), "x: No space left on device"),
                             (ValueError("x: bad"), "x: bad")):
-            self.assertEqual(main.jobs.message_of(error), text)
+            self.assertEqual(message_of(error, ""), text)
 
     def test_coordinates_of_maps(self):
         """A LAS file far from the origin: the subtracted vector is shown."""
@@ -385,6 +398,27 @@ class TestWords(Folder):
         run = command(self.folder, "map.las", *COARSE, "-o", "map.ply")
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertRegex(run.stderr, "Read the scan: coordinates are large; [0-9]+ [0-9]+ [0-9]+ is subtracted")
+
+    def test_a_file_that_cannot_be_written_ends_no_other(self):
+        write(conformalsom.vtkConformalPLYWriter(), far(egg()), self.folder, "far.ply")
+        run = command(self.folder, "far.ply", *COARSE, "-o", "x.stl", "-o", "x.vtp", "--measure", "--report", "x.json")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("conformalsom: x.stl: the surface is too far from the origin", run.stderr)
+        self.assertIn("smooth surface", run.stdout)
+        with open(self.file("x.json"), encoding="utf-8") as file:
+            [entry] = json.load(file)["Surfaces"]
+        self.assertEqual(entry["Files"], ["x.vtp"])
+        self.assertIn("x.stl: the surface is too far", entry["Error"])
+        self.assertEqual({name for name in files_in(self.folder) if name.startswith("x")}, {"x.json", "x.vtp"})
+
+    def test_files_for_printers_are_moved_to_the_origin_if_floats_need_it(self):
+        write(conformalsom.vtkConformalPLYWriter(), far(egg()), self.folder, "far.ply")
+        for scan in ("a", "far"):
+            run = command(self.folder, scan + ".ply", *COARSE, "--preset", "print", "--unit", "m", "-o", scan + ".stl")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual("is added to its coordinates" in run.stderr, scan == "far")
+        near, moved = (read(vtkSTLReader(), self.folder, scan + ".stl").GetBounds() for scan in ("a", "far"))
+        np.testing.assert_allclose(moved, near, atol=20.0)  # of the 2,000 millimeters that the egg has
 
     def test_full_disk(self):
         """A limit of size acts as a full disk: the error names the file and the reason, and old files stay."""
@@ -397,7 +431,7 @@ class TestWords(Folder):
                 with limited_files(2000), contextlib.redirect_stdout(io.StringIO()):
                     with self.assertRaises((OSError, RuntimeError)) as raised:
                         outputs.write(Steps(), writer, self.file("x" + extension))
-                self.assertRegex(main.jobs.message_of(raised.exception),
+                self.assertRegex(message_of(raised.exception, ""),
                                  fr"^(Write x{extension}: )?{self.file('x' + extension)}"
                                  r"(: | cannot be written: )(File too large|.*; is the disk full\?)$")
                 self.assertEqual(files_in(self.folder), before)

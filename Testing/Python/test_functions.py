@@ -426,11 +426,11 @@ class TestFunctions(unittest.TestCase):
                 cs.learn(empty)
         with self.assertRaisesRegex(cs.FilterFailed, "vtkGlobalConformalMap: the surface must be closed"):
             cs.conformal_map(cloud())
-        with self.assertRaisesRegex(FileNotFoundError, "vtkConformalPLYReader: .*there is no such file"):
-            cs.learn(self.path("missing.ply"))
-        for name in ("missing.stl", "missing.docx", "missing"):
-            with self.assertRaises(FileNotFoundError):
+        for name in ("missing.ply", "missing.stl", "missing.docx", "missing"):
+            with self.assertRaisesRegex(FileNotFoundError, f"No such file or directory: .*{name}"):
                 cs.learn(self.path(name))
+        with self.assertRaisesRegex(TypeError, "to which this surface is registered, not None"):
+            self.surface.register(None)
         with self.assertRaises(FileNotFoundError):
             self.surface.paint(self.path("missing.png"))
         with open(self.path("broken.ply"), "w", encoding="ascii") as file:
@@ -446,6 +446,11 @@ class TestFunctions(unittest.TestCase):
             file.write(b"\x89PNG\r\n\x1a\n")
         with self.assertRaisesRegex(ValueError, "broken"):
             self.surface.paint(self.path("broken.png"))
+
+    def test_warnings_name_options_of_python(self):
+        points = cloud()
+        with self.assertWarnsRegex(cs.FilterWarning, 'To close the surface, pass border="Closed"'):
+            cs.learn(points[points[:, 2] > 0.2 * points[:, 2].max()], number_of_neurons=162)
 
     def test_vtk_files_that_end_early_are_errors(self):
         """VTK's reader sets missing values to anything, and only its output window tells."""

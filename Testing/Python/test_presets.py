@@ -120,6 +120,21 @@ class TestPresets(unittest.TestCase):
         with open(path, "rb") as file:
             self.assertEqual(file.read(), before)
 
+    def test_print_closes_a_scan_from_one_side(self):
+        points = vtk_to_numpy(self.scan.GetPoints().GetData())
+        np.savetxt(os.path.join(self.folder, "front.xyz"), points[points[:, 2] > np.median(points[:, 2])])
+        for name, *arguments in (("open.3mf",), ("closed.3mf", "--preset", "print", "--unit", "m")):
+            run = subprocess.run([COMMAND, "front.xyz", *NEURONS, *arguments, "-o", name], cwd=self.folder, text=True,
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual("cannot be printed as a solid; use --closed" in run.stderr, name == "open.3mf")
+            self.assertEqual("To close the surface, use --closed" in run.stderr, name == "open.3mf")
+            with zipfile.ZipFile(os.path.join(self.folder, name)) as file:
+                model = ElementTree.fromstring(file.read("3D/3dmodel.model"))
+            edges = {(triangle.get(a), triangle.get(b)) for triangle in model.iter(CORE + "triangle")
+                     for a, b in (("v1", "v2"), ("v2", "v3"), ("v3", "v1"))}
+            self.assertEqual(all((b, a) in edges for a, b in edges), name == "closed.3mf")
+
     def test_a_folder_gets_files_for_the_purpose(self):
         os.makedirs(os.path.join(self.folder, "toys"), exist_ok=True)
         self.made("toys", "--preset", "print", "--unit", "mm", "--points", "1000")
@@ -135,6 +150,7 @@ class TestPresets(unittest.TestCase):
     def test_options_that_contradict_each_other_are_refused(self):
         for message, *arguments in (
                 ("--unit", "--preset", "print", "-o", "toy.stl"),
+                ("closed surfaces", "--preset", "print", "--unit", "mm", "--open", "-o", "toy.stl"),
                 (".3mf .stl", "--preset", "print", "--unit", "mm", "-o", "toy.glb"),
                 ("--points: invalid integer value: '1e3'", "--points", "1e3", "-o", "surface.glb"),
                 ("--jobs: invalid integer value: 'x'", "--jobs", "x", "-o", "surface.glb"),

@@ -27,7 +27,8 @@ def learn(points: PointsLike, *, progress: Progress = False, **properties: typin
 
         surface = conformalsom.learn(points, number_of_neurons=5000)
     """
-    network, warnings = updated("vtkConformalSOM", [points], progress, properties)
+    network, warnings = updated("vtkConformalSOM", [points], progress, properties,
+                                reworded={"set Border to CLOSED": 'pass border="Closed"', "Border OPEN": 'border="Open"'})
     return Surface.of_output(network.GetOutput(), warnings)
 
 

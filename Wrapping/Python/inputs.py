@@ -220,10 +220,10 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
     quiet_parser(reader)
     try:
         warnings = run_reader(reader)
-    except FilterFailed as error:
+    except FilterFailed:
         if os.path.exists(name):
             raise
-        raise missing(name, str(error)) from None
+        raise missing(name, os.strerror(errno.ENOENT)) from None
     keep(texts, warnings)
     return reader.GetOutputDataObject(0)
 

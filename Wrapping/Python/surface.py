@@ -286,6 +286,8 @@ class Surface:
 
             registered = surface.register(other, landmarks=[(12, 57)])
         """
+        if fixed is None:
+            raise TypeError("expected the surface to which this surface is registered, not None")
         algorithm, texts = updated("vtkSphericalRegistration", [self], progress, {**properties, "fixed": fixed},
                                    reworded={"on output port 1": "`second` of the result"})
         registered, second = (Surface.of_output(algorithm.GetOutput(port), texts) for port in (0, 1))

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkSMPTools, vt
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 
 from . import outputs, report, surfaces, textures
-from .steps import Interrupted, StepFailed, Steps
+from .steps import Interrupted, StepFailed, Steps, message_of
 
 # A forked process has loaded VTK and the picture already. Elsewhere the libraries of the system cannot be forked.
 CONTEXT: typing.Any = multiprocessing.get_context("fork" if sys.platform == "linux" else "spawn")
@@ -33,15 +33,6 @@ def silence():
     """Let VTK print nothing; what matters is heard by steps."""
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
     vtkOutputWindow.SetInstance(vtkStringOutputWindow())
-
-
-def message_of(error):
-    """What an exception says, with the file it is about."""
-    if isinstance(error, OSError) and error.strerror:
-        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-    if isinstance(error, MemoryError):
-        return "there is not enough memory"
-    return str(error)
 
 
 class TellingSteps(Steps):
@@ -90,12 +81,8 @@ def work(make, task, options, pixels, told, log, shows, threads):
         outputs.discard(task.paths.files(), task.token)
         signal.signal(interrupted.args[0], signal.SIG_DFL)
         os.kill(os.getpid(), interrupted.args[0])
-    except StepFailed as error:
-        steps.tell("failed", f"{task.scan}: {error}")
-    except MemoryError as error:
-        steps.tell("failed", f"{task.scan}: {message_of(error)}")
-    except (ValueError, OSError) as error:
-        steps.tell("failed", message_of(error))
+    except (StepFailed, MemoryError, ValueError, OSError) as error:
+        steps.tell("failed", message_of(error, task.scan))
 
 
 def made(task, options, pixels, steps):
@@ -161,8 +148,11 @@ class Job:
         elif kind == "made":
             self.entry, table = values
             seconds, points = sum(self.entry["Seconds"].values()), self.entry["Surface"]["NumberOfPoints"]
+            self.lines += [("note", text) for text in self.entry.get("Error", "").splitlines()]
             self.lines += [("out", table)] if table else []
-            self.lines.append(("terminal", f"{self.task.scan}: {', '.join(self.task.paths.all()) or 'measured'} "
+            files = ", ".join(self.entry.get("Files", self.task.paths.all()))
+            done = files or ("no file" if "Error" in self.entry else "measured")
+            self.lines.append(("terminal", f"{self.task.scan}: {done} "
                                f"({points:,} points, {seconds:.1f} s)"))
 
     def fail(self, text):

@@ -15,7 +15,7 @@ from conformalsom.messages import FilterFailed
 from . import details, jobs, outputs, pictures, presets, surfaces, textures
 from .plan import METERS, WrongUsage, expect_directions, expect_utf8, in_range, paths_of, positive
 from .progress import Bar, printable
-from .steps import Interrupted
+from .steps import Interrupted, message_of
 
 DESCRIPTION = """\
 Turns the points of 3-D scans into closed, smooth, painted surfaces. A scan may have any format that
@@ -70,7 +70,7 @@ def make_parser():
                         help="map by which pictures are laid: one that balances areas and angles (balanced), or the "
                              "surface's own map (conformal), which distorts pictures least; default balanced")
     parser.add_argument("--texture-size", type=in_range(1, 16384), metavar="N",
-                        help="width and height of the texture with the scan's colors, in pixels; by default, the "
+                        help="width and height of the texture with the scan's colors, in pixels, in [1, 16384]; by default, the "
                              "density of the scan determines it, up to 4096")
     parser.add_argument("--view", nargs=3, type=float, metavar=("X", "Y", "Z"), default=(0, 0, 1),
                         help="direction from the object to the viewer, which the texture's middle faces; default 0 0 1")
@@ -96,7 +96,7 @@ def make_parser():
     parser.add_argument("--preset", choices=presets.PRESETS,
                         help="values of options for a purpose, unless they are given: web (10,000 points with a normal "
                              "map, compressed), game (8,000, 2,000 and 500 to 1,000 points with a normal map), print "
-                             "(.3mf and .stl in millimeters), archive (250,000 points)")
+                             "(a closed surface as .3mf and .stl in millimeters), archive (250,000 points)")
     parser.add_argument("--normal-map", action="store_true", default=None,
                         help="show the details of the smooth surface on one of N points: write a normal map into .glb "
                              "files; with --points N")
@@ -277,6 +277,6 @@ def guarded(work):
         return 1
     except (ValueError, OSError, FilterFailed, MemoryError) as error:
         bar.clear()
-        complain(jobs.message_of(error))
+        complain(message_of(error, ""))
         drop_output()
         return 1

@@ -289,14 +289,20 @@ def write_part(steps, writer, part, path):
         raise OSError(errno.EIO, "it could not be written", path)
 
 
-def expect_floats(surface, path):
-    """Raise ValueError if a file of floats would move points by more than 1e-5 of the size of the surface."""
+def shift_of_floats(surface):
+    """The largest distance by which floats shift a coordinate of a point, as a share of the size of the surface."""
     points = vtk_to_numpy(surface.GetPoints().GetData())
-    shift = np.abs(points - points.astype(np.float32)).max(initial=0.0)
+    shift = float(np.abs(points - points.astype(np.float32)).max(initial=0.0))
     size = float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) > 0 else 0.0
-    if shift > FLOAT_SHIFT * size:
+    return shift / size if size > 0.0 else 0.0
+
+
+def expect_floats(surface, path):
+    """Raise ValueError if a file of floats would move points by more than FLOAT_SHIFT."""
+    share = shift_of_floats(surface)
+    if share > FLOAT_SHIFT:
         raise ValueError(f"{path}: the surface is too far from the origin: the floats of this format would shift points "
-                         f"by {shift:.2g}, and the size is {size:.3g}; write .ply or .obj instead, or subtract the center "
+                         f"by {share:.2g} of its size; write .ply or .obj instead, or subtract the center "
                          "from the points of the scan first")
 
 

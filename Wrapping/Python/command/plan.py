@@ -14,6 +14,9 @@ from .progress import printable
 METERS = {"mm": 1e-3, "cm": 1e-2, "in": 0.0254, "m": 1.0, "km": 1e3}  # of units of length
 
 
+TWICE = "; {} in a name stands for the scan's"  # advice where names of files are equal
+
+
 class Paths(typing.NamedTuple):
     """What to write for a scan; no picture is an empty name."""
     surfaces: typing.List[str]
@@ -23,10 +26,13 @@ class Paths(typing.NamedTuple):
         """Return the surfaces, and the picture if there is one."""
         return [*self.surfaces, *filter(None, [self.picture])]
 
+    def beside(self):
+        """Files that may come to lie beside surfaces; those of one picture are shared."""
+        return [*dict.fromkeys(file for path in self.surfaces for file in outputs.files_of(path)[1:])]
+
     def files(self):
-        """All files that may come into being by them; files beside surfaces with one picture are shared."""
-        beside = [file for path in self.surfaces for file in outputs.files_of(path)[1:]]
-        return [*self.all(), *dict.fromkeys(beside)]
+        """All files that may come into being by them."""
+        return [*self.all(), *self.beside()]
 
 
 class WrongUsage(Exception):
@@ -44,8 +50,10 @@ def paths_of(options):
             expect_extension(path, outputs.SURFACES, outputs.lacking("Writer"))
         if paths.picture:
             expect_extension(paths.picture, outputs.PICTURES)
-        for file in paths.files():
+        for file in paths.all():
             checks.expect_free(file)
+        for file in paths.beside():
+            checks.expect_free(file, ", also as a file that belongs to another one")
         all_paths.append(paths)
     if options.report not in (None, "-"):
         checks.expect_free(options.report)
@@ -156,12 +164,14 @@ class Checks:
             self.real_folders[folder] = os.path.realpath(folder)
         return os.path.join(self.real_folders[folder], name)
 
-    def expect_free(self, path):
-        """Raise WrongUsage for a file that must not or cannot be written."""
+    def expect_free(self, path, role=""):
+        """Raise WrongUsage for a file that must not or cannot be written; role says what for."""
         expect_name(path)
+        if path.endswith(os.sep):
+            raise WrongUsage(f"{path} is the name of a folder; expected that of a file")
         identities, real, status = self.identities(path)
         if not self.written.isdisjoint(identities):
-            raise WrongUsage(f"{path} would be written twice; {{}} in a name stands for the scan's")
+            raise WrongUsage(f"{path} would be written twice{role or TWICE}")
         self.written.update(identities)
         if status is not None and not stat.S_ISREG(status.st_mode):
             raise WrongUsage(f"{path} is not a regular file")

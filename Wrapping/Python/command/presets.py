@@ -11,13 +11,14 @@ class Preset(typing.NamedTuple):
     normal_map: bool = False
     levels: int = 1
     compress: bool = False
+    border: str = ""
     folder_type: str = ".glb"
 
 
 PRESETS = {
     "web": Preset(points=10000, normal_map=True, compress=True),
     "game": Preset(points=8000, normal_map=True, levels=3),
-    "print": Preset(folder_type=".3mf"),
+    "print": Preset(border="Closed", folder_type=".3mf"),
     "archive": Preset(points=250000),
 }
 FOR_PRINTERS = (".3mf", ".stl")
@@ -36,6 +37,10 @@ def apply(options):
     if options.levels is None:
         options.levels = preset.levels
     options.compress = options.compress or preset.compress
+    if preset.border:
+        if options.border == "Open":
+            raise WrongUsage(f"--preset {options.preset} is for closed surfaces; leave out --open")
+        options.border = preset.border
     if options.preset == "print" and options.unit is None:
         raise WrongUsage("--preset print needs the unit of the scan's coordinates, such as --unit mm: printers use "
                          "millimeters")

@@ -15,6 +15,14 @@ class Interrupted(BaseException):
     """A signal asked to stop; the argument is its number."""
 
 
+def message_of(error, scan):
+    """What an exception says, with the file it is about: that of an OSError, or the scan."""
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
+    text = "there is not enough memory" if isinstance(error, MemoryError) else str(error)
+    return f"{scan}: {text}" if scan and isinstance(error, (MemoryError, StepFailed)) else text
+
+
 class Steps:
     """The steps of a run, in order, with the seconds each took and the warnings there were.
 
@@ -27,10 +35,11 @@ class Steps:
         self.running = None
         self.signal = None
 
-    def run(self, label, algorithm, work=None, known=None):
+    def run(self, label, algorithm, work=None, known=None, reworded=()):
         """Update the algorithm, or do work() that uses it, as the step called label.
 
-        known(text) returns whether a warning has been reported before in other words, and is to be dropped.
+        known(text) returns whether a warning has been reported before in other words, and is to be dropped. reworded
+        has pairs of a part of messages, and the words of the command for it.
         """
         def advance(caller, _):
             self.advanced(label, caller.GetProgress())
@@ -49,9 +58,12 @@ class Steps:
         self.seconds[label] = time.perf_counter() - start
         if self.signal is not None:
             raise Interrupted(self.signal)
-        if messages.errors:
-            raise StepFailed(f"{label}: {messages.errors[0]}")
-        warnings = [text for text in messages.warnings if known is None or not known(text)]
+        errors, warnings = list(messages.errors), list(messages.warnings)
+        for part, words in reworded:
+            errors, warnings = ([text.replace(part, words) for text in texts] for texts in (errors, warnings))
+        if errors:
+            raise StepFailed(f"{label}: {errors[0]}")
+        warnings = [text for text in warnings if known is None or not known(text)]
         self.warnings += [f"{label}: {text}" for text in warnings]
         self.ended(label, warnings)
 

@@ -12,11 +12,15 @@ from conformalsom.messages import errors_outside
 
 from . import details, finite_points, labels, outputs, pictures, report, scan_colors, scan_files, textures
 from .plan import Paths
+from .steps import StepFailed, message_of
 
 
 AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
 MINIMUM_POINTS = 500  # of vtkAdaptiveSphere
 MAXIMUM_ROUNDS = 5  # to reach a number of points
+OPTIONS = (("set Border to CLOSED", "use --closed"), ("Border OPEN", "--open"),
+           ("set Border to Automatic or Closed, or TrainingMode to Batch and MeshType to Automatic or Adaptive",
+            "leave out --open or --mesh-type"))  # of the command, for properties in messages
 ROUNDS_END = 0.01  # share of the number by which it may differ
 
 
@@ -147,10 +151,15 @@ def textured_writer(writer, drawn, path, options, steps):
         steps.note("--compress", "this build lacks the library meshoptimizer, so that the files are only quantized")
 
 
-def in_millimeters(surface, meters):
-    """A source of a surface in millimeters."""
+def in_millimeters(surface, meters, steps):
+    """A source of a surface in millimeters, moved to the origin if it is too far away for the floats of printers."""
     scale = vtkTransform()
     scale.Scale(*3 * [1000.0 * meters])
+    data = surface.GetOutputDataObject(0)
+    if outputs.shift_of_floats(data) > outputs.FLOAT_SHIFT:
+        moved = [-round(coordinate) for coordinate in data.GetCenter()]
+        scale.Translate(*moved)
+        steps.note("Move the surface", f"files for printers hold floats, so that {moved} is added to its coordinates")
     scaled = vtkTransformPolyDataFilter()
     scaled.SetTransform(scale)
     scaled.SetInputConnection(surface.GetOutputPort())
@@ -158,8 +167,8 @@ def in_millimeters(surface, meters):
 
 
 def write_surfaces(drawn, task, options, steps):
-    """Write all files of a surface."""
-    written = []
+    """Write all files of a surface; returns a dictionary of those that could not be written, with the errors."""
+    written, failed = [], {}
     for path in task.paths.surfaces:
         writer = outputs.writer_of(path, painted=drawn.texture is not None)
         if isinstance(writer, vtkTexturedSurfaceWriter):
@@ -171,12 +180,24 @@ def write_surfaces(drawn, task, options, steps):
             writer.SetViewDirection(options.view)
             writer.SetViewUp(options.up)
         elif outputs.extension_of(path) == ".3mf" or options.preset == "print":
-            scaled = in_millimeters(drawn.closed, drawn.meters)
+            scaled = in_millimeters(drawn.closed, drawn.meters, steps)
             writer.SetInputConnection(scaled.GetOutputPort())
         else:
             writer.SetInputConnection(drawn.closed.GetOutputPort())
-        outputs.write(steps, writer, path, task.token, options.overwrite, shared=written)
-        written += outputs.files_of(path)[1:]
+        try:
+            outputs.write(steps, writer, path, task.token, options.overwrite, shared=written)
+            written += outputs.files_of(path)[1:]
+        except (ValueError, OSError, StepFailed) as error:  # other files can be written nevertheless
+            failed[path] = message_of(error, task.scan)
+    return failed
+
+
+def note_without_effect(network, colors, task, options, steps):
+    """Note what the call asks for and the surface does not give."""
+    if options.texture_size is not None and colors is None:
+        steps.note("--texture-size", "the scan has no colors, so that there is no texture of this size")
+    if is_open(network) and any(outputs.extension_of(path) == ".3mf" for path in task.paths.surfaces):
+        steps.note("Write .3mf", "the surface has a border, and cannot be printed as a solid; use --closed")
 
 
 def make_surface(task, texture, options, steps):
@@ -200,7 +221,7 @@ def make_surface(task, texture, options, steps):
     meters = labels.meters_of(points, options.unit, "m", steps)
 
     network = learned_mesh(scan, options)
-    steps.run("Learn the mesh", network)
+    steps.run("Learn the mesh", network, reworded=OPTIONS)
     surface = smooth_surface(network, options.points, steps)
     all_around = colors is not None or options.normal_map
     projection = projection_for(network, all_around)
@@ -239,7 +260,8 @@ def make_surface(task, texture, options, steps):
             surface = details.with_picture_of(painted, smooth_surface(network, count, steps), steps)
             return cut_surface(surface, options, steps, projection)
         drawn.levels.append(cut_to_number(level(number), number, level))
-    write_surfaces(drawn, task, options, steps)
+    note_without_effect(network, colors, task, options, steps)
+    failed = write_surfaces(drawn, task, options, steps)
     learned, smoothed, laid = (stage.GetOutputDataObject(0) for stage in (mesh, result, cut))
     if paths.picture:
         image = texture.GetOutputDataObject(0) if texture else None
@@ -247,10 +269,14 @@ def make_surface(task, texture, options, steps):
             points, learned, smoothed, laid, image, colors, options.view, options.up)
         writer = pictures.picture_writer(paths.picture)
         writer.SetInputConnection(stages.GetOutputPort())
-        outputs.write(steps, writer, paths.picture, task.token, options.overwrite)
+        try:
+            outputs.write(steps, writer, paths.picture, task.token, options.overwrite)
+        except (ValueError, OSError, StepFailed) as error:
+            failed[paths.picture] = message_of(error, scan_path)
     entry = {
         "Scan": scan_path,
-        "Files": paths.all(),
+        **({"Error": "\n".join(failed.values())} if failed else {}),
+        "Files": [path for path in paths.all() if path not in failed],
         "NumberOfScanPoints": points.GetNumberOfPoints(),
         "Mesh": report.figures_of(learned),
         "Surface": report.figures_of(smoothed),
