@@ -193,13 +193,14 @@ std::string RejectionOf(const conformal::GenusZeroReport& report, glue::Topology
   {
     return "the surface has genus " + std::to_string(handles) +
       " (number of handles); only surfaces of genus 0 are mapped to the sphere, and surfaces of "
-      "genus 1 to a flat torus. vtkGenusZeroRepair removes handles.";
+      "genus 1 to a flat torus. vtkGenusZeroRepair removes handles";
   }
   std::string text = "the surface must be closed, manifold, in one piece and of genus zero";
   text += (topology == glue::Topology::Mappable ? " or one" : "");
-  return text + ", but it is " + Sentence(report) +
+  return text + (report.NumberOfTriangles == 0 ? ", but it has " : ", but it is ") +
+    Sentence(report) +
     ". vtkGenusZeroCheck lists all faults. vtkGenusZeroRepair fills holes, removes handles and "
-    "keeps the largest part.";
+    "keeps the largest part";
 }
 
 // Drop triangles that repeat a vertex, and their ids of cells.

@@ -363,7 +363,7 @@ TEST_F(GlobalConformalMap, PointsWithoutTrianglesAreRefused)
 {
   const vtkNew<vtkPolyData> surface = Pebble();
   surface->SetPolys(vtkNew<vtkCellArray>());
-  this->ExpectRefused(surface, "no triangles");
+  this->ExpectRefused(surface, "but it has no triangles");
 }
 
 // The upper half of the pebble, and the same with a hole.
@@ -512,7 +512,7 @@ TEST_F(GlobalConformalMap, AHigherGenusIsRefusedWithTheWayOut)
 {
   this->ExpectRefused(fixtures::SphereWithHandles(2, 20),
     "the surface has genus 2 (number of handles); only surfaces of genus 0 are mapped to the "
-    "sphere, and surfaces of genus 1 to a flat torus. vtkGenusZeroRepair removes handles.");
+    "sphere, and surfaces of genus 1 to a flat torus. vtkGenusZeroRepair removes handles");
 }
 
 TEST_F(GlobalConformalMap, SeveralPiecesAreRefused)
