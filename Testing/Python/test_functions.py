@@ -424,6 +424,8 @@ class TestFunctions(unittest.TestCase):
         for empty in (np.zeros((0, 3)), []):
             with self.assertRaisesRegex(cs.FilterFailed, "vtkConformalSOM: there are no points"):
                 cs.learn(empty)
+        with self.assertRaisesRegex(cs.FilterFailed, "9 points are not finite and left out; there are no points"):
+            cs.learn(np.full((9, 3), np.nan))
         with self.assertRaisesRegex(cs.FilterFailed, "vtkGlobalConformalMap: the surface must be closed"):
             cs.conformal_map(cloud())
         for name in ("missing.ply", "missing.stl", "missing.docx", "missing"):

@@ -37,7 +37,9 @@ def run(algorithm: typing.Any, progress: Progress = False,
             update.Wait()
         errors = [text_of(update.GetError(i)) for i in range(update.GetNumberOfErrors())]
         texts = [text_of(update.GetWarning(i)) for i in range(update.GetNumberOfWarnings())]
-        failures = own_errors(errors, name) or texts[:is_empty(algorithm)]
+        failures = own_errors(errors, name)
+        if not failures and texts and is_empty(algorithm):
+            failures = ["; ".join(texts)]
         if failures:
             raise FilterFailed(f"{name}: {failures[0]}")
     for part, words in (reworded or {}).items():
@@ -54,7 +56,7 @@ def warn(texts: typing.Iterable[str]) -> None:
 
 
 def is_empty(algorithm: typing.Any) -> bool:
-    """Return whether a filter made a surface without points; its warning then states the reason."""
+    """Return whether a filter made a surface without points; its warnings then state the reason."""
     output: typing.Any = algorithm.GetOutputDataObject(0) if algorithm.GetNumberOfOutputPorts() else None
     return isinstance(output, vtkPointSet) and output.GetNumberOfPoints() == 0
 
