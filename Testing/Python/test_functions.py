@@ -452,7 +452,9 @@ class TestFunctions(unittest.TestCase):
     def test_warnings_name_options_of_python(self):
         points = cloud()
         with self.assertWarnsRegex(cs.FilterWarning, 'To close the surface, pass border="Closed"'):
-            cs.learn(points[points[:, 2] > 0.2 * points[:, 2].max()], number_of_neurons=162)
+            half = cs.learn(points[points[:, 2] > 0.2 * points[:, 2].max()], number_of_neurons=162)
+        with self.assertWarnsRegex(cs.FilterWarning, 'half.3mf: the surface has a border.*border="Closed"'):
+            half.save(self.path("half.3mf"))
 
     def test_vtk_files_that_end_early_are_errors(self):
         """VTK's reader sets missing values to anything, and only its output window tells."""

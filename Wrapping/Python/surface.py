@@ -373,7 +373,8 @@ class Surface:
 
         A picture of paint() or bake() is written with .glb, .obj, .ply and .html. The picture of NAME.ply is the file
         NAME.png beside it. Beside NAME.obj are NAME.mtl and NAME.png. Coordinates in .3mf files are millimeters; those
-        of the surface are written as they are. All files are written completely, or none is written.
+        of the surface are written as they are; if the surface has a border, a warning says that it cannot be printed as a
+        solid. All files are written completely, or none is written.
 
         overwrite: True to replace existing files, False to replace none. By default, the file and those that belong
         to it are replaced. Another file NAME.png or NAME.mtl, which NAME.ply or NAME.obj does not name, is not
@@ -386,6 +387,9 @@ class Surface:
             surface.save("figure.glb")
         """
         exports.save(self, os.fspath(path), overwrite)
+        if os.fspath(path).lower().endswith(".3mf") and self._has_border():
+            warn([f"{os.fspath(path)}: the surface has a border, and cannot be printed as a solid; "
+                  'learn it with border="Closed"'])
 
     def show(self) -> None:
         """Show the surface and its map to the sphere: in a notebook, or as a page in the web browser.
