@@ -210,21 +210,14 @@ def read(path: Path, texts: Texts = None) -> typing.Any:
     """
     name = os.fspath(path)
     reader_class = scan_files.reader_class(name)
-    if reader_class is None and not os.path.exists(name):
-        raise missing(name, os.strerror(errno.ENOENT))
+    expect_file(name)
     if reader_class is not None and issubclass(reader_class, PythonReader):  # which cannot run on another thread
         return read_by_python(reader_class, name, texts)
     # Without a class, scan_reader() raises an error that lists the known types.
     reader: typing.Any = scan_files.scan_reader(name) if reader_class is None else reader_class()
     reader.SetFileName(name)
     quiet_parser(reader)
-    try:
-        warnings = run_reader(reader)
-    except FilterFailed:
-        if os.path.exists(name):
-            raise
-        raise missing(name, os.strerror(errno.ENOENT)) from None
-    keep(texts, warnings)
+    keep(texts, run_reader(reader))
     return reader.GetOutputDataObject(0)
 
 
@@ -261,9 +254,10 @@ def quiet_parser(reader: typing.Any) -> None:
         reader.SetParserErrorObserver(vtkCallbackCommand())  # which does nothing; without it, errors are printed
 
 
-def missing(name: str, reason: str) -> FileNotFoundError:
-    """Return the exception for a missing file."""
-    return FileNotFoundError(errno.ENOENT, reason, name)
+def expect_file(name: str) -> None:
+    """Raise FileNotFoundError for a missing file."""
+    if not os.path.exists(name):
+        raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), name)
 
 
 def image_of(image: typing.Any) -> typing.Any:
@@ -273,8 +267,7 @@ def image_of(image: typing.Any) -> typing.Any:
     """
     if isinstance(image, (str, os.PathLike)):
         name = os.fspath(image)
-        if not os.path.exists(name):
-            raise missing(name, os.strerror(errno.ENOENT))
+        expect_file(name)
         return textures.image_of(textures.read_picture(name))
     pixels = array_of(image, "an image of rows x columns x 3 or 4 bytes")
     if pixels.ndim != 3 or pixels.shape[2] not in (3, 4) or pixels.dtype != np.uint8 or pixels.size == 0:
@@ -333,8 +326,7 @@ def read_volume(name: str, texts: Texts = None) -> vtkImageData:
     read.
     """
     reader: typing.Any = volumes.volume_reader(name)
-    if not os.path.exists(name):
-        raise missing(name, os.strerror(errno.ENOENT))
+    expect_file(name)
     volumes.expect_header(name, reader)
     quiet_parser(reader)
     keep(texts, run_reader(reader))

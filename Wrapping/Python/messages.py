@@ -54,6 +54,14 @@ def own_errors(errors: typing.Sequence[str], class_name: str) -> typing.List[str
     return own or [f"{class_name} failed without a message; its input may be broken"][:len(errors)]
 
 
+def in_words(texts: typing.Iterable[str], words: typing.Optional[typing.Mapping[str, str]]) -> typing.List[str]:
+    """Return texts with parts replaced by the words of a host for them, such as options for properties."""
+    replaced = list(texts)
+    for part, word in (words or {}).items():
+        replaced = [text.replace(part, word) for text in replaced]
+    return replaced
+
+
 @contextlib.contextmanager
 def heard(algorithm) -> typing.Iterator[Messages]:
     """Collect the messages of an algorithm during the block, instead of printing them; yields a Messages."""

@@ -8,7 +8,7 @@ import warnings
 from vtkmodules.vtkCommonDataModel import vtkPointSet
 
 import conformalsom
-from conformalsom.messages import FilterFailed, FilterWarning, own_errors, text_of
+from conformalsom.messages import FilterFailed, FilterWarning, in_words, own_errors, text_of
 from conformalsom.reporting import Progress, reporter
 
 FIRST_PAUSE, LONGEST_PAUSE = 0.0002, 0.02  # seconds between two looks at a filter that runs
@@ -42,9 +42,7 @@ def run(algorithm: typing.Any, progress: Progress = False,
             failures = ["; ".join(texts)]
         if failures:
             raise FilterFailed(f"{name}: {failures[0]}")
-    for part, words in (reworded or {}).items():
-        texts = [text.replace(part, words) for text in texts]
-    texts = [f"{name}: {text}" for text in texts]
+    texts = [f"{name}: {text}" for text in in_words(texts, reworded)]
     warn(texts)
     return texts
 

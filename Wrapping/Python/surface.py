@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from conformalsom import exports, pages, pickling
-from conformalsom.command import scan_colors
+from conformalsom.command import outputs, scan_colors
 from conformalsom.command.sizes import frequency_of
 from conformalsom.filters import updated
 from conformalsom.inputs import (
@@ -386,9 +386,10 @@ class Surface:
 
             surface.save("figure.glb")
         """
-        exports.save(self, os.fspath(path), overwrite)
-        if os.fspath(path).lower().endswith(".3mf") and self._has_border():
-            warn([f"{os.fspath(path)}: the surface has a border, and cannot be printed as a solid; "
+        name = os.fspath(path)
+        exports.save(self, name, overwrite)
+        if outputs.extension_of(name) == ".3mf" and self._has_border():
+            warn([f"{name}: the surface has a border, and cannot be printed as a solid; "
                   'learn it with border="Closed"'])
 
     def show(self) -> None:

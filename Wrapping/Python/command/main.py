@@ -277,6 +277,6 @@ def guarded(work):
         return 1
     except (ValueError, OSError, FilterFailed, MemoryError) as error:
         bar.clear()
-        complain(message_of(error, ""))
+        complain(message_of(error))
         drop_output()
         return 1

@@ -12,8 +12,6 @@ from .progress import printable
 
 
 METERS = {"mm": 1e-3, "cm": 1e-2, "in": 0.0254, "m": 1.0, "km": 1e3}  # of units of length
-
-
 TWICE = "; {} in a name stands for the scan's"  # advice where names of files are equal
 
 

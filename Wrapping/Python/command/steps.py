@@ -2,7 +2,7 @@
 import sys
 import time
 
-from conformalsom.messages import FilterFailed, heard
+from conformalsom.messages import FilterFailed, heard, in_words
 
 from .progress import printable
 
@@ -15,7 +15,7 @@ class Interrupted(BaseException):
     """A signal asked to stop; the argument is its number."""
 
 
-def message_of(error, scan):
+def message_of(error, scan=""):
     """What an exception says, with the file it is about: that of an OSError, or the scan."""
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
@@ -35,11 +35,11 @@ class Steps:
         self.running = None
         self.signal = None
 
-    def run(self, label, algorithm, work=None, known=None, reworded=()):
+    def run(self, label, algorithm, work=None, known=None, reworded=None):
         """Update the algorithm, or do work() that uses it, as the step called label.
 
         known(text) returns whether a warning has been reported before in other words, and is to be dropped. reworded
-        has pairs of a part of messages, and the words of the command for it.
+        has parts of messages, and the words of the command for them.
         """
         def advance(caller, _):
             self.advanced(label, caller.GetProgress())
@@ -58,12 +58,9 @@ class Steps:
         self.seconds[label] = time.perf_counter() - start
         if self.signal is not None:
             raise Interrupted(self.signal)
-        errors, warnings = list(messages.errors), list(messages.warnings)
-        for part, words in reworded:
-            errors, warnings = ([text.replace(part, words) for text in texts] for texts in (errors, warnings))
-        if errors:
-            raise StepFailed(f"{label}: {errors[0]}")
-        warnings = [text for text in warnings if known is None or not known(text)]
+        if messages.errors:
+            raise StepFailed(f"{label}: {in_words(messages.errors, reworded)[0]}")
+        warnings = [text for text in in_words(messages.warnings, reworded) if known is None or not known(text)]
         self.warnings += [f"{label}: {text}" for text in warnings]
         self.ended(label, warnings)
 

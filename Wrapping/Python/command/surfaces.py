@@ -18,9 +18,10 @@ from .steps import StepFailed, message_of
 AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
 MINIMUM_POINTS = 500  # of vtkAdaptiveSphere
 MAXIMUM_ROUNDS = 5  # to reach a number of points
-OPTIONS = (("set Border to CLOSED", "use --closed"), ("Border OPEN", "--open"),
-           ("set Border to Automatic or Closed, or TrainingMode to Batch and MeshType to Automatic or Adaptive",
-            "leave out --open or --mesh-type"))  # of the command, for properties in messages
+OPTIONS = {  # of the command, for properties in messages
+    "set Border to CLOSED": "use --closed", "Border OPEN": "--open",
+    "set Border to Automatic or Closed, or TrainingMode to Batch and MeshType to Automatic or Adaptive":
+    "leave out --open or --mesh-type"}
 ROUNDS_END = 0.01  # share of the number by which it may differ
 
 
@@ -166,9 +167,17 @@ def in_millimeters(surface, meters, steps):
     return scaled
 
 
+def write_or_keep_error(failed, steps, writer, path, task, options, shared=()):
+    """Write a file, or add the error to failed, since other files can be written nevertheless."""
+    try:
+        outputs.write(steps, writer, path, task.token, options.overwrite, shared)
+    except (ValueError, OSError, StepFailed) as error:
+        failed[path] = message_of(error, task.scan)
+
+
 def write_surfaces(drawn, task, options, steps):
     """Write all files of a surface; returns a dictionary of those that could not be written, with the errors."""
-    written, failed = [], {}
+    written, failed, scaled = [], {}, None
     for path in task.paths.surfaces:
         writer = outputs.writer_of(path, painted=drawn.texture is not None)
         if isinstance(writer, vtkTexturedSurfaceWriter):
@@ -180,15 +189,13 @@ def write_surfaces(drawn, task, options, steps):
             writer.SetViewDirection(options.view)
             writer.SetViewUp(options.up)
         elif outputs.extension_of(path) == ".3mf" or options.preset == "print":
-            scaled = in_millimeters(drawn.closed, drawn.meters, steps)
+            scaled = scaled or in_millimeters(drawn.closed, drawn.meters, steps)
             writer.SetInputConnection(scaled.GetOutputPort())
         else:
             writer.SetInputConnection(drawn.closed.GetOutputPort())
-        try:
-            outputs.write(steps, writer, path, task.token, options.overwrite, shared=written)
+        write_or_keep_error(failed, steps, writer, path, task, options, shared=written)
+        if path not in failed:
             written += outputs.files_of(path)[1:]
-        except (ValueError, OSError, StepFailed) as error:  # other files can be written nevertheless
-            failed[path] = message_of(error, task.scan)
     return failed
 
 
@@ -269,10 +276,7 @@ def make_surface(task, texture, options, steps):
             points, learned, smoothed, laid, image, colors, options.view, options.up)
         writer = pictures.picture_writer(paths.picture)
         writer.SetInputConnection(stages.GetOutputPort())
-        try:
-            outputs.write(steps, writer, paths.picture, task.token, options.overwrite)
-        except (ValueError, OSError, StepFailed) as error:
-            failed[paths.picture] = message_of(error, scan_path)
+        write_or_keep_error(failed, steps, writer, paths.picture, task, options)
     entry = {
         "Scan": scan_path,
         **({"Error": "\n".join(failed.values())} if failed else {}),
