@@ -95,17 +95,19 @@ fuzz()
     -max_total_time="${FUZZ_SECONDS:-600}" -artifact_prefix="$PWD/build/fuzz/$unit-" "$found"
 }
 
+fuzz_once()
+{
+  once fuzz "$(basename "$1" .inputs)" fuzz "$1"
+}
+
 check_fuzz()
 {
   install "${clang[@]}"
   configure fuzz
   build fuzz
   forget_passed fuzz
-  local corpus failed=0
-  for corpus in Testing/Fuzz/Corpus/*.inputs; do
-    once fuzz "$(basename "$corpus" .inputs)" fuzz "$corpus" || failed=1
-  done
-  return "$failed"
+  each fuzz_once Testing/Fuzz/Corpus/*.inputs
+  [ "${#failed[@]}" -eq 0 ]
 }
 
 check_tests()

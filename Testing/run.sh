@@ -11,11 +11,13 @@ source Testing/steps.sh
 
 install
 configure dev -DCMAKE_UNITY_BUILD=ON # saves up to half of the time to compile
+bash CMake/install-packages.sh paraview paraview-dev libqt5svg5 & # meanwhile
+paraview=$!
 build dev
 failed=0
 run_tests dev "$@" || failed=$?
 
-if bash CMake/install-packages.sh paraview paraview-dev libqt5svg5; then
+if wait "$paraview"; then
   bash CMake/make-paraview-prefix.sh build/paraview-prefix
   configure paraview -DCONFORMALSOM_CORE_FOLDER="$PWD/build/dev" # half of the plugin's time to compile
   build paraview

@@ -50,6 +50,33 @@ build()
     cmake --build --preset "$preset" ${1:+--target "$@"}
 }
 
+# on_own_screen COMMAND...
+on_own_screen()
+{
+  # Without -noreset the server starts anew whenever no window is open, and meanwhile refuses some.
+  xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" "$@"
+}
+
+# each COMMAND ARGUMENT...: run the command with each argument alone, as many at once as there are processors.
+# Arguments with which it fails are put into the array failed.
+each()
+{
+  local command=$1 argument pid
+  local -A arguments=()
+  shift
+  failed=()
+  for argument in "$@"; do
+    if [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; then
+      wait -n || true
+    fi
+    "$command" "$argument" &
+    arguments[$!]=$argument
+  done
+  for pid in "${!arguments[@]}"; do
+    wait "$pid" || failed+=("${arguments[$pid]}")
+  done
+}
+
 # run_tests PRESET [ARGUMENT...]: of ctest
 run_tests()
 {
@@ -60,9 +87,7 @@ run_tests()
   if [ -z "${TMPDIR:-}" ] && [ -w /dev/shm ] && [ "$(df --output=avail -k /dev/shm | tail -n 1)" -gt 4000000 ]; then
     local -x TMPDIR=/dev/shm
   fi
-  # Without -noreset the server starts anew whenever no window is open, and meanwhile refuses some.
-  xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" \
-    ctest --preset "$preset" -j"$(($(nproc) + 1))" "$@" >"$log" 2>&1 || status=$? # some of them wait
+  on_own_screen ctest --preset "$preset" -j"$(($(nproc) + 1))" "$@" >"$log" 2>&1 || status=$? # some of them wait
   if [ "$status" -ne 0 ]; then
     cat "$log"
   else

@@ -102,13 +102,13 @@ Case AdaptiveSphere()
       "Image", { Surface(Reads), Picture("picture") }, [](F* f) { f->SetDensityToImage(); }) };
   all.Scaled = { MakesASphere(F::AREA), MakesASphere(F::CURVATURE) };
   all.Progress = { Makes(
-                     "Area", []() { return Limbs(40); }, 60000, F::AREA),
+                     "Area", []() { return Limbs(40); }, 30000, F::AREA),
     Makes(
       "Area of a fine mesh", []() { return Head(200); }, 5000, F::AREA),
     Makes(
-      "Curvature", []() { return Limbs(100); }, 60000, F::CURVATURE),
+      "Curvature", []() { return Limbs(100); }, 30000, F::CURVATURE),
     Makes(
-      "Image", []() { return Head(40); }, 40000, F::IMAGE) };
+      "Image", []() { return Head(40); }, 30000, F::IMAGE) };
   all.Mirrors = Mirrors;
   all.Fuzz = Fuzz;
   return all;

@@ -44,7 +44,7 @@ Case BodyMapImage()
     Switch("GenerateAreaScale", &F::SetGenerateAreaScale) };
   all.Modes = { image };
   all.Progress = { Run<F>(
-    "Peirce", []() { return Colored(Head(100)); },
+    "Peirce", []() { return Colored(Head(60)); },
     [](F* f) { f->SetProjectionToPeirceQuincuncial(); }) };
   all.Mirrors = Mirrors;
   return all;

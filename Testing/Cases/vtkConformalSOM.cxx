@@ -157,14 +157,13 @@ std::vector<ProgressRun> ProgressRuns()
     cloud->GetPointData()->AddArray(height);
     return cloud;
   };
-  return { Run<F>("head", []() { return Head(60); }),
+  return { Run<F>("head", []() { return Head(40); }),
     Run<F>("head, pattern array", withPattern,
       [=](F* som)
       {
         few(som);
         som->AddPatternArray("Height", 1.0);
       }),
-    Run<F>("head, many neurons", head, [](F* som) { som->SetNumberOfNeurons(8002); }),
     Run<F>("head, without a fit", head, [](F* som) { som->SetFitIterations(0); }),
     Run<F>("limbs", limbs, few),
     Run<F>("head, from the sphere", head,
@@ -188,7 +187,7 @@ std::vector<ProgressRun> ProgressRuns()
         som->SetNumberOfEpochs(8);
       }),
     Run<F>(
-      "large head", []() { return Head(160); }, [](F* som) { som->SetNumberOfNeurons(4002); }),
+      "large head", []() { return Head(110); }, few),
     Run<F>("limbs, adaptive", limbs,
       [=](F* som)
       {
@@ -338,7 +337,7 @@ Case ConformalSOM()
     Learns("Batch", Learning, [](F* f, double) { f->SetTrainingModeToBatch(); }),
   };
   all.Progress = ProgressRuns();
-  all.Scans = { "igea-closed.ply", "stanford-bunny-closed.ply", "cortex.ply" };
+  all.Scans = { "cortex.ply" };
   all.Fuzz = Fuzz;
   all.Mirrors = Mirrors;
   return all;

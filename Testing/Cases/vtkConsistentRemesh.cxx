@@ -52,11 +52,11 @@ ProgressRun RemeshesOn(const std::string& name, bool isFine, int meshType)
   return { name,
     [=]() -> Maker
     {
-      const SurfacePointer fine = Colored(Head(120)), head = Colored(Head(50)),
-                           limbs = Colored(Limbs(60));
+      const SurfacePointer fine = Colored(Head(80)), head = Colored(Head(40)),
+                           limbs = Colored(Limbs(40));
       const std::vector<SurfacePointer> inputs = isFine
         ? std::vector<SurfacePointer>{ fine, fine }
-        : std::vector<SurfacePointer>{ head, limbs, head, limbs };
+        : std::vector<SurfacePointer>{ head, limbs };
       return [=]() -> Algorithm
       {
         const auto remesh = vtkSmartPointer<F>::New();

@@ -97,14 +97,14 @@ std::vector<ScaledRun> ScaledRuns()
 std::vector<ProgressRun> ProgressRuns()
 {
   const auto mesh = []() { return Head(36); };
-  const auto fine = []() { return Head(150); };
+  const auto fine = []() { return Head(100); };
   const auto frequency = [](int f) { return [f](F* css) { css->SetFrequency(f); }; };
-  std::vector<ProgressRun> runs = { Run<F>("coarse mesh", mesh, frequency(200)),
+  std::vector<ProgressRun> runs = { Run<F>("coarse mesh", mesh, frequency(120)),
     Run<F>("fine mesh", fine, frequency(60)),
     Run<F>("EdgeMatched", mesh,
       [](F* css)
       {
-        css->SetFrequency(150);
+        css->SetFrequency(100);
         css->SetSeamModeToEdgeMatched();
       }) };
   for (int height = F::NONE; height <= F::CURVATURE; ++height)
@@ -119,7 +119,7 @@ std::vector<ProgressRun> ProgressRuns()
       };
     };
     const std::string name = "PerTriangle " + std::to_string(height);
-    runs.push_back(Run<F>(name, mesh, domes(250)));
+    runs.push_back(Run<F>(name, mesh, domes(150)));
     runs.push_back(Run<F>(name + " of a fine mesh", fine, domes(60)));
   }
   const auto cut = [](int subdivisions)

@@ -75,8 +75,8 @@ ProgressRun MorphsOn(const std::string& name, bool isFine, int path, int meshTyp
   return { name,
     [=]() -> Maker
     {
-      const SurfacePointer source = Colored(Head(isFine ? 70 : 40));
-      const SurfacePointer target = isFine ? source : Colored(Limbs(50));
+      const SurfacePointer source = Colored(Head(isFine ? 50 : 30));
+      const SurfacePointer target = isFine ? source : Colored(Limbs(30));
       return [=]() -> Algorithm
       {
         const auto morph = vtkSmartPointer<F>::New();
@@ -84,7 +84,7 @@ ProgressRun MorphsOn(const std::string& name, bool isFine, int path, int meshTyp
         morph->SetTargetData(target);
         morph->SetMeshType(meshType);
         morph->SetPath(path);
-        morph->SetFrequency(40);
+        morph->SetFrequency(30);
         morph->SetNumberOfPoints(10000);
         return morph;
       };

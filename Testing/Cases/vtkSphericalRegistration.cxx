@@ -56,7 +56,7 @@ ProgressRun RegistersOn(const char* name, int space)
   return { name,
     [=]() -> Maker
     {
-      const SurfacePointer head = Head(40), limbs = Limbs(40);
+      const SurfacePointer head = Head(25), limbs = Limbs(25);
       return [=]() -> Algorithm
       {
         const auto registration = vtkSmartPointer<F>::New();

@@ -94,20 +94,20 @@ Case SphericalTemplate()
       f->SetMaximumNumberOfRounds(1);
       f->SetShapeWeight(0.0);
     }) };
-  all.Progress = { { "three surfaces",
+  all.Progress = { { "two surfaces",
     []() -> Maker
     {
-      const SurfacePointer head = Head(16), limbs = Limbs(16), coarse = Head(10);
+      const SurfacePointer head = Head(12), coarse = Head(8);
       return [=]() -> Algorithm
       {
         const auto filter = vtkSmartPointer<F>::New();
-        for (vtkPolyData* surface : { head.Get(), coarse.Get(), limbs.Get() })
+        for (vtkPolyData* surface : { head.Get(), coarse.Get() })
         {
           filter->AddInputDataObject(surface);
         }
         filter->SetMaximumNumberOfRounds(1);
-        filter->SetFrequency(10);
-        filter->SetMeanFrequency(16);
+        filter->SetFrequency(8);
+        filter->SetMeanFrequency(8);
         return filter;
       };
     } } };

@@ -80,7 +80,7 @@ Case SphericalTimeSeries()
   all.Progress = { { "three surfaces",
     []() -> Maker
     {
-      const SurfacePointer head = Head(40), coarse = Head(20);
+      const SurfacePointer head = Head(25), coarse = Head(15);
       return [=]() -> Algorithm
       {
         const auto filter = vtkSmartPointer<F>::New();

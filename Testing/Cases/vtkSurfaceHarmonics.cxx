@@ -99,7 +99,7 @@ Case SurfaceHarmonics()
     Run<F>(
       "geodesic sphere", []() { return Limbs(60); }, Fits(40, F::GEODESIC, F::MAP)),
     Run<F>(
-      "coarse mesh", []() { return Head(30); }, Fits(80, F::INPUT, F::MAP_AND_SURFACE)) };
+      "coarse mesh", []() { return Head(30); }, Fits(50, F::INPUT, F::MAP_AND_SURFACE)) };
   all.Fuzz = Fuzz;
   return all;
 }

@@ -73,7 +73,7 @@ Case SurfaceLayers()
   samples.Ignored = { "DepthOfMaximum", "LayerMean" };
   all.Scaled = { samples };
   all.Progress = { Run<F>(
-    "ball", []() { return BumpyMesh(1.0, 60); }, [](F* f) { f->SetVolumeData(BallVolume(30)); }) };
+    "ball", []() { return BumpyMesh(1.0, 30); }, [](F* f) { f->SetVolumeData(BallVolume(30)); }) };
   all.Fuzz = Fuzz;
   all.Mirrors = ProjectionMirrors<F>;
   return all;

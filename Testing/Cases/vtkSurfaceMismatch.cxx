@@ -120,7 +120,7 @@ Case SurfaceMismatch()
                      "to a cloud", coarse, []() { return PointsOf(Head(120)); }, 0),
     MeasuresOn("to a mesh", coarse, fine, 0), MeasuresOn("of a fine mesh", fine, coarse, 0),
     MeasuresOn(
-      "few samples", []() { return Head(250); }, coarse, 1000) };
+      "few samples", []() { return Head(150); }, coarse, 1000) };
   all.Fuzz = Fuzz;
   all.Mirrors = Mirrors;
   return all;

@@ -182,7 +182,7 @@ class TestStudy(unittest.TestCase):
         self.assertEqual([row["group"] for row in table(self.study, "scores.csv")], self.groups)
 
     def test_registration_is_that_of_the_template(self):
-        names, study = self.names[:3], os.path.join(self.folder, "three")
+        names, study = self.names[:2], os.path.join(self.folder, "two")
         run = command(self.folder, "shapes", *names, "-o", study, *SMALL, "--rounds", "2", "--jobs", "2")
         self.assertEqual(run.returncode, 0, run.stderr)
         template, blocks = vtkSphericalTemplate(), vtkMultiBlockDataSet()
@@ -280,15 +280,23 @@ class TestClouds(unittest.TestCase):
 
 
 class TestStops(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory(prefix="stops of ")
-        self.addCleanup(temporary.cleanup)
-        self.folder = temporary.name
-        self.names = write_family(self.folder, 6, number=3)
+    """Compared with a study of one job that was not stopped."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory(prefix="stops of ")
+        cls.folder = cls.temporary.name
+        cls.names = write_family(cls.folder, 6, number=3)
         cloud = vtkPolyData()  # without triangles: its surface is learned
-        cloud.SetPoints(read(vtkConformalPLYReader(), self.folder, self.names.pop()).GetPoints())
-        write(vtkTextCloudWriter(), cloud, self.folder, "cloud.xyz")
-        self.names.append("cloud.xyz")
+        cloud.SetPoints(read(vtkConformalPLYReader(), cls.folder, cls.names.pop()).GetPoints())
+        write(vtkTextCloudWriter(), cloud, cls.folder, "cloud.xyz")
+        cls.names.append("cloud.xyz")
+        command(cls.folder, "shapes", *cls.names, "-o", "whole", *SMALL, "--jobs", "1")
+        cls.whole = os.path.join(cls.folder, "whole")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
 
     def study(self, folder, *arguments):
         run = command(self.folder, "shapes", *self.names, "-o", folder, *SMALL, *arguments)
@@ -297,9 +305,15 @@ class TestStops(unittest.TestCase):
         self.assertEqual(temporaries_of(os.path.join(self.folder, folder)), [])
         return results_of(os.path.join(self.folder, folder))
 
+    def assertWhole(self, results, folder):
+        """They are those of the whole study, but for the titles, which name the folder."""
+        whole = results_of(self.whole)
+        self.assertEqual(sorted(results), sorted(whole))
+        for name, data in whole.items():
+            self.assertEqual(results[name] == data.replace(b">whole<", f">{folder}<".encode()), True, name)
+
     def test_a_call_continues_after_a_stop_with_the_same_bytes(self):
-        whole = self.study("whole")
-        total = len(os.listdir(os.path.join(self.folder, "whole", "work")))
+        total = len(os.listdir(os.path.join(self.whole, "work")))
         folder = os.path.join(self.folder, "stopped")
         work, kept = os.path.join(folder, "work"), {}
         for number, files in ((signal.SIGTERM, 1), (signal.SIGKILL, 4), (signal.SIGINT, 7)):
@@ -321,10 +335,7 @@ class TestStops(unittest.TestCase):
         resumed = self.study("stopped")
         for name, times in kept.items():
             self.assertEqual((os.stat(name).st_mtime_ns, os.stat(name).st_ino), times, "it was made again")
-        self.assertEqual(sorted(resumed), sorted(whole))
-        for name in whole:
-            data = whole[name].replace(b">whole<", b">stopped<")  # titles
-            self.assertEqual(resumed[name] == data, True, name)
+        self.assertWhole(resumed, "stopped")
 
     def wait_for_children(self, work):
         """Wait for processes whose parent was killed, and which notice it."""
@@ -334,14 +345,11 @@ class TestStops(unittest.TestCase):
             time.sleep(0.02)
 
     def test_jobs_change_no_byte(self):
-        one = self.study("study", "--jobs", "1")
-        shutil.rmtree(os.path.join(self.folder, "study"))
-        two = self.study("study", "--jobs", "2")
-        self.assertEqual([name for name in one if one[name] != two.get(name)], [])
+        self.assertWhole(self.study("jobs", "--jobs", "2"), "jobs")
 
     def test_an_error_leaves_no_files(self):
         """A folder that comes into being meanwhile, at the place of a file, is noticed at the end."""
-        folder = os.path.join(self.folder, "study")
+        folder = os.path.join(self.folder, "error")
         process = subprocess.Popen([COMMAND, "shapes", *self.names, "-o", folder, *SMALL], cwd=self.folder, text=True,
                                    stderr=subprocess.PIPE)
         while process.poll() is None and not glob.glob(os.path.join(folder, "work", "*.vtp")):
@@ -355,7 +363,7 @@ class TestStops(unittest.TestCase):
         self.assertEqual(sorted(os.listdir(folder)), ["mean.vtp", "work"])
 
     def test_scans_are_added_and_results_replaced(self):
-        self.study("study")
+        shutil.copytree(self.whole, os.path.join(self.folder, "study"))
         work = os.path.join(self.folder, "study", "work")
         maps = {path: os.stat(path).st_mtime_ns for path in glob.glob(work + "/map-*")}
         with open(os.path.join(self.folder, "study", "surfaces", "mine.txt"), "w", encoding="ascii") as file:
