@@ -16,7 +16,7 @@ from .stl_files import STLReader
 OUR_READERS = [reader for reader in vars(conformalsom).values()
                if hasattr(reader, "CanReadFile") and issubclass(reader, conformalsom.vtkSurfaceFileReader)]
 SHIFT = "CoordinateShift"  # field array
-VTK_READERS = {
+READERS_BY_EXTENSION = {
     ".obj": OBJReader,
     ".stl": STLReader,
     ".vtp": vtkXMLPolyDataReader,
@@ -25,16 +25,16 @@ VTK_READERS = {
 
 
 def reader_class(path):
-    """That of our readers that knows the file by its content, or one of VTK's by its extension.
+    """The filter that knows the file by its content, or the reader of its extension.
 
-    Failing that, ours of the extension, which says what is wrong with the file; else none.
+    Otherwise a filter of the extension, which says what is wrong with the file, or None.
     """
     extension = os.path.splitext(path)[1].lower()
     for reader in OUR_READERS:
         if reader.CanReadFile(path):
             return reader
-    if extension in VTK_READERS:
-        return VTK_READERS[extension]
+    if extension in READERS_BY_EXTENSION:
+        return READERS_BY_EXTENSION[extension]
     for reader in OUR_READERS:
         if extension in reader().GetFileExtensions().split():
             return reader
@@ -44,7 +44,7 @@ def reader_class(path):
 def scan_reader(path):
     """The reader for a scan, with the file name set."""
     extensions = [extension for ours in OUR_READERS for extension in ours().GetFileExtensions().split()]
-    known = " ".join(sorted({*extensions, *VTK_READERS}))
+    known = " ".join(sorted({*extensions, *READERS_BY_EXTENSION}))
     return opened(path, reader_class, known + outputs.lacking("Reader"))
 
 
