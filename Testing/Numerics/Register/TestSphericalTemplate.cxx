@@ -70,14 +70,14 @@ void expectTemplateRefused(const std::vector<TemplateInput>& inputs, const std::
 // The mean of copies is the body that they were made of, and their points lie where they belong.
 TEST(SphericalTemplate, CopiesGiveTheirBodyBack)
 {
-  constexpr int count = 3, frequency = 24;
+  constexpr int count = 3, frequency = 16;
   std::vector<TemplateInput> inputs;
   for (int s = 0; s < count; ++s)
   {
     inputs.push_back(copy(s, frequency));
   }
   SphericalTemplateOptions options;
-  options.MaximumNumberOfRounds = 2;
+  options.MaximumNumberOfRounds = 1;
   const SphericalTemplateResult result = findSphericalTemplate(inputs, {}, options);
   ASSERT_EQ(result.Registrations.size(), 3U);
   for (int s = 1; s < count; ++s)

@@ -502,7 +502,7 @@ TEST(AdaptiveFit, LeavesOutliersAndNoiseBehind)
 TEST(AdaptiveFit, DoesNotCrumpleInNoise)
 {
   constexpr double noise = 0.025;
-  Points points = Jack::cloud(20000, 3);
+  Points points = Jack::cloud(12000, 3);
   conformal::Random random(5);
   for (Index i = 0; i < points.size(); ++i)
   {
@@ -511,9 +511,9 @@ TEST(AdaptiveFit, DoesNotCrumpleInNoise)
   const auto area = [](const ConformalSOMResult& result)
   { return conformal::surfaceArea(result.Positions, result.Triangles); };
   const ConformalSOMResult clean =
-    trainConformalSOM(TrainingSamples(Jack::cloud(20000, 3)), adaptive(5000));
-  const ConformalSOMResult noisy = trainConformalSOM(TrainingSamples(points), adaptive(5000));
-  expectWhole(noisy, 5000);
+    trainConformalSOM(TrainingSamples(Jack::cloud(12000, 3)), adaptive(3000));
+  const ConformalSOMResult noisy = trainConformalSOM(TrainingSamples(points), adaptive(3000));
+  expectWhole(noisy, 3000);
   double squares = 0.0;
   for (Index r = 0; r < noisy.Triangles.rows(); ++r)
   {
