@@ -95,7 +95,6 @@ TEST_F(SphericalTemplate, WritesTheContractsArrays)
 TEST_F(SphericalTemplate, SurfacesCorrespond)
 {
   this->Filter->SetLandmarkArrayName("");
-  this->Run();
   const auto surface = Variant(2, 10); // with the first one's directions
   this->Blocks->SetBlock(2, surface);
   this->Run();
