@@ -156,12 +156,15 @@ void walk(const SurfaceData& surface, const Run& run, UsePoint usePoint, UsePoly
 }
 
 /// Require that all polygons are triangles.
-/// @throws std::invalid_argument if a polygon has more than 3 corners
+/// @throws std::invalid_argument if a polygon has fewer or more than 3 corners
 inline void requireTriangles(const SurfaceData& surface)
 {
-  if (surface.PolygonIds.size() != 3 * numberOfPolygons(surface))
+  for (std::size_t polygon = 0; polygon < numberOfPolygons(surface); ++polygon)
   {
-    throw std::invalid_argument("the surface has polygons that are not triangles");
+    if (surface.PolygonOffsets[polygon + 1] - surface.PolygonOffsets[polygon] != 3)
+    {
+      throw std::invalid_argument("the surface has polygons that are not triangles");
+    }
   }
 }
 }

@@ -213,11 +213,12 @@ inline std::vector<SurfaceData> surfacesWithABrokenMap()
   return surfaces;
 }
 
-/// Return a surface with one more polygon id than its triangles need, as if it had a quadrilateral.
+/// Return a surface with a quadrilateral and a polygon of 2 corners, which together have as many
+/// corners as two triangles.
 inline SurfaceData surfaceWithAQuad()
 {
   SurfaceData quads = tetrahedron(false);
-  quads.PolygonIds.push(1);
+  quads.PolygonOffsets[1] = 4;
   return quads;
 }
 

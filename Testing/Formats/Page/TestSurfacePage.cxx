@@ -437,8 +437,7 @@ TEST(SurfacePage, RefusesWhatItCannotShow)
   data.PolygonIds.resize(0);
   expectThrows(data, "no polygons");
   data = ellipsoid(3, 3);
-  data.PolygonOffsets[1] = 4;
-  data.PolygonIds.push(0);
+  data.PolygonOffsets[1] = 4; // and the second polygon has 2 corners
   expectThrows(data, "not triangles");
   data = ellipsoid(3, 3);
   data.PointArrays.erase(data.PointArrays.begin());

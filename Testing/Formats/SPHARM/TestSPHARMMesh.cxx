@@ -111,6 +111,7 @@ TEST(SPHARMMesh, WritingStopsWhenAskedAndRefusesWhatIsNoMap)
 {
   written::ExpectStopsWhenAsked(
     [](const SurfaceData& data, auto stop) { return conformal::makeSPHARMSurface(data, stop); });
+  EXPECT_THROW(conformal::makeSPHARMSurface(written::surfaceWithAQuad()), std::invalid_argument);
   EXPECT_THROW(conformal::makeSPHARMSphere(written::tetrahedron(true)), std::invalid_argument);
   for (const SurfaceData& surface : written::surfacesWithABrokenMap())
   {
