@@ -15,6 +15,7 @@ import time
 import types
 import unittest
 import warnings
+import zipfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -455,6 +456,28 @@ class TestFunctions(unittest.TestCase):
             half = cs.learn(points[points[:, 2] > 0.2 * points[:, 2].max()], number_of_neurons=162)
         with self.assertWarnsRegex(cs.FilterWarning, 'half.3mf: the surface has a border.*border="Closed"'):
             half.save(self.path("half.3mf"))
+
+    def test_quadrilaterals_are_divided_where_a_file_has_triangles(self):
+        corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        sides = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+        with open(self.path("cube.off"), "w", encoding="ascii") as file:
+            file.write("OFF\n8 6 0\n" + "".join(f"{x} {y} {z}\n" for x, y, z in corners) +
+                       "".join("4 {} {} {} {}\n".format(*side) for side in sides))
+        cube = cs.conformal_map(self.path("cube.off"))
+        self.assertEqual(cube.polydata.GetNumberOfPolys(), 6)
+        self.assertEqual(cube.faces.shape, (12, 3))
+        with self.assertRaises(ValueError):
+            cube.faces[0] = 0
+        for extension in (".m", ".obj", ".off", ".ply", ".stl", ".vtk", ".vtp"):
+            with self.subTest(extension):
+                cube.save(self.path("divided" + extension))
+                self.assertEqual(len(cs.read(self.path("divided" + extension)).faces), 12)
+        cube.save(self.path("divided.3mf"))
+        with zipfile.ZipFile(self.path("divided.3mf")) as file:
+            found = re.findall(rb'<triangle v1="(\d)" v2="(\d)" v3="(\d)"/>', file.read("3D/3dmodel.model"))
+        np.testing.assert_array_equal(np.array(found).astype(int), cube.faces)
+        with self.assertRaisesRegex(cs.FilterFailed, "polygons that are not triangles"):
+            cube.save(self.path("divided.gii"))
 
     def test_vtk_files_that_end_early_are_errors(self):
         """VTK's reader sets missing values to anything, and only its output window tells."""

@@ -10,7 +10,6 @@ import numpy.typing as npt
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
 from conformalsom import exports, pages, pickling
 from conformalsom.command import outputs, scan_colors
@@ -23,6 +22,7 @@ from conformalsom.keywords import expect_number, properties_of
 from conformalsom.messages import FilterFailed, heard
 from conformalsom.reporting import Progress
 from conformalsom.running import run, warn
+from conformalsom.triangles import triangles_of
 
 Array = npt.NDArray[typing.Any]
 AREA_BALANCE = 0.5  # of pictures; see vtkSphericalTextureMap
@@ -102,13 +102,9 @@ class Surface:
         conformal_map(), read(), time_series(), paint(), bake(), register(), posed(), harmonics() and save() keep the
         triangles of the input, also those that are clockwise; smooth() and mean_shape() make new ones.
         """
-        polygons = self._data.GetPolys()
-        if polygons.IsHomogeneous() != 3 or self._data.GetNumberOfStrips():
-            triangles = vtkTriangleFilter()
-            triangles.SetInputData(self._data)
-            run(triangles)
-            polygons = triangles.GetOutput().GetPolys()
-        return constant(polygons.GetConnectivityArray()).reshape(-1, 3)
+        triangles = triangles_of(self._data)
+        triangles.flags.writeable = False
+        return triangles
 
     @property
     def sphere(self) -> Array:

@@ -163,7 +163,8 @@ inline void requireTriangles(const SurfaceData& surface)
   {
     if (surface.PolygonOffsets[polygon + 1] - surface.PolygonOffsets[polygon] != 3)
     {
-      throw std::invalid_argument("the surface has polygons that are not triangles");
+      throw std::invalid_argument(
+        "the surface has polygons that are not triangles; divide them into triangles first");
     }
   }
 }

@@ -12,6 +12,7 @@ from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 from conformalsom import (
     vtkBodyMap, vtkConformalSOM, vtkGlobalConformalMap, vtkSurfaceLayers, vtkVolumeSurfacePoints)
 from conformalsom.messages import errors_outside, heard
+from conformalsom.triangles import triangles_of
 
 from . import finite_points, mapped_files, scan_files, shape_steps, volumes
 from .steps import StepFailed
@@ -191,11 +192,7 @@ def with_long_axis(surface, steps):
 
 def principal_axes(surface):
     """The center of a surface, and rows of unit vectors along its principal axes, the longest first."""
-    triangles = vtkTriangleFilter()
-    triangles.SetInputData(surface)
-    triangles.Update()
-    corners = vtk_to_numpy(triangles.GetOutput().GetPoints().GetData()).astype(float)[
-        vtk_to_numpy(triangles.GetOutput().GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+    corners = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)[triangles_of(surface)]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     middles = corners.mean(axis=1)
     center = areas @ middles / areas.sum()

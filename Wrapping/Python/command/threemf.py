@@ -7,6 +7,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
+from conformalsom.triangles import triangles_of
+
 DATE = (1980, 1, 1, 0, 0, 0)  # of all parts, so that equal surfaces have equal files
 MODEL = "3D/3dmodel.model"
 TYPES = """<?xml version="1.0" encoding="UTF-8"?>
@@ -79,8 +81,7 @@ class ThreeMFWriter(VTKPythonAlgorithmBase):
 
     def write_file(self, surface):
         """Write the file of a surface."""
-        triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-        model = model_of(vtk_to_numpy(surface.GetPoints().GetData()), triangles)
+        model = model_of(vtk_to_numpy(surface.GetPoints().GetData()), triangles_of(surface))
         with zipfile.ZipFile(self.path, "w", zipfile.ZIP_DEFLATED) as file:
             for name, text in (("[Content_Types].xml", TYPES), ("_rels/.rels", RELATIONS), (MODEL, model)):
                 file.writestr(zipfile.ZipInfo(name, DATE), text, zipfile.ZIP_DEFLATED)
