@@ -20,7 +20,8 @@ import zipfile
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray, vtkFloatArray, vtkOutputWindow, vtkStringArray, vtkVariantArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkStripper
 from vtkmodules.vtkIOGeometry import vtkGLTFReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader, vtkPolyDataWriter
 
@@ -478,6 +479,25 @@ class TestFunctions(unittest.TestCase):
         np.testing.assert_array_equal(np.array(found).astype(int), cube.faces)
         with self.assertRaisesRegex(cs.FilterFailed, "polygons that are not triangles"):
             cube.save(self.path("divided.gii"))
+
+    def test_strips_and_short_cells_are_no_obstacle(self):
+        """VTK's writers crash at polygons of two corners."""
+        strips, polygons = vtkStripper(), vtkCellArray()
+        strips.SetInputData(self.surface.polydata)
+        strips.Update()
+        mesh, faces = vtkPolyData(), self.surface.faces
+        mesh.ShallowCopy(strips.GetOutput())
+        polygons.DeepCopy(mesh.GetPolys())
+        polygons.InsertNextCell(2, (0, 1))
+        mesh.SetPolys(polygons)
+        self.assertGreater(mesh.GetNumberOfStrips(), 0)
+        with self.assertWarnsRegex(cs.FilterWarning, "1 cell has too few points, and is left out"):
+            surface = cs.conformal_map(mesh)
+        self.assertEqual(surface.warnings, ["1 cell has too few points, and is left out"])
+        for extension in (".3mf", ".gii", ".glb", ".html", ".m", ".obj", ".off", ".ply", ".stl", ".vtk", ".vtp"):
+            surface.save(self.path("strips" + extension))
+            if extension not in (".3mf", ".glb", ".html"):
+                self.assertEqual(len(cs.read(self.path("strips" + extension)).faces), len(faces), extension)
 
     def test_vtk_files_that_end_early_are_errors(self):
         """VTK's reader sets missing values to anything, and only its output window tells."""

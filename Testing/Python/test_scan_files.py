@@ -8,11 +8,11 @@ import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 
 import conformalsom
-from conformalsom.command import finite_points, obj_files, scan_files, shape_steps, stl_files
+from conformalsom.command import cleaning, obj_files, scan_files, shape_steps, stl_files
 from conformalsom.command.steps import Steps
 from conformalsom.messages import heard
 from test_command import colored, egg, hues, points_of, write
@@ -184,7 +184,7 @@ class TestSTL(Folder):
                 stl_files.read(self.file(content, "scan.stl"))
 
 
-class TestFinitePoints(unittest.TestCase):
+class TestCleaning(unittest.TestCase):
     def test_others_are_left_out_with_their_triangles(self):
         mesh = egg(3)
         points = points_of(mesh)
@@ -192,12 +192,12 @@ class TestFinitePoints(unittest.TestCase):
         numbers = numpy_to_vtk(np.arange(mesh.GetNumberOfPolys()), deep=True)
         numbers.SetName("Number")
         mesh.GetCellData().AddArray(numbers)
-        self.assertIs(finite_points.kept(mesh, Steps()), mesh)
+        self.assertIs(cleaning.kept(mesh, Steps()), mesh)
         whole = corners_of(mesh)
         bad = [0, 17, len(points) - 1]
         vtk_to_numpy(mesh.GetPoints().GetData())[bad, [0, 1, 2]] = np.nan, np.inf, -np.inf
         steps = Steps()
-        result = finite_points.kept(mesh, steps)
+        result = cleaning.kept(mesh, steps)
         self.assertEqual(steps.warnings, ["Read the scan: 3 of 92 points are not finite, and are left out"])
         left = np.setdiff1d(np.arange(len(points)), bad)
         self.assertEqual(points_of(result).tolist(), points[left].tolist())
@@ -206,12 +206,32 @@ class TestFinitePoints(unittest.TestCase):
         self.assertEqual(vtk_to_numpy(result.GetCellData().GetArray("Number")).tolist(), expected)
         self.assertEqual([left[ids].tolist() for ids in corners_of(result)], [whole[i] for i in expected])
 
+    def test_cells_of_too_few_points_are_left_out_with_their_numbers(self):
+        mesh, steps = egg(3), Steps()
+        whole = corners_of(mesh)
+        polygons = vtkCellArray()
+        for ids in ((0,), *whole, (3, 4), ()):
+            polygons.InsertNextCell(len(ids), ids)
+        lines = vtkCellArray()
+        lines.InsertNextCell(1, (5,))
+        mesh.SetPolys(polygons)
+        mesh.SetLines(lines)
+        numbers = numpy_to_vtk(np.arange(mesh.GetNumberOfCells()), deep=True)
+        numbers.SetName("Number")
+        mesh.GetCellData().AddArray(numbers)
+        result = cleaning.kept(mesh, steps)
+        self.assertEqual(steps.warnings, ["Read the scan: 4 cells have too few points, and are left out"])
+        self.assertEqual((corners_of(result), result.GetNumberOfLines()), (whole, 0))
+        self.assertEqual(vtk_to_numpy(result.GetCellData().GetArray("Number")).tolist(), [*range(2, 2 + len(whole))])
+        self.assertEqual(points_of(result).tolist(), points_of(mesh).tolist())
+        self.assertIs(cleaning.kept(result, Steps()), result)
+
     def test_no_point_is_finite(self):
         mesh = egg(1)
         vtk_to_numpy(mesh.GetPoints().GetData())[:] = np.nan
-        result = finite_points.kept(mesh, Steps())
+        result = cleaning.kept(mesh, Steps())
         self.assertEqual((result.GetNumberOfPoints(), result.GetNumberOfCells()), (0, 0))
-        self.assertEqual(finite_points.kept(vtkPolyData(), Steps()).GetNumberOfPoints(), 0)
+        self.assertEqual(cleaning.kept(vtkPolyData(), Steps()).GetNumberOfPoints(), 0)
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ from vtkmodules.vtkIOImage import vtkNrrdReader
 from vtkmodules.vtkIOLegacy import vtkDataReader
 from vtkmodules.vtkIOXML import vtkXMLReader
 
-from conformalsom.command import scan_files, textures, volumes
+from conformalsom.command import cleaning, scan_files, textures, volumes
 from conformalsom.command.python_reader import PythonReader
 from conformalsom.messages import FilterFailed, errors_outside
 from conformalsom.running import run, warn
@@ -99,14 +99,14 @@ def point_set(points: typing.Any, texts: Texts = None) -> typing.Any:
     Arrays of 32 or 64 bit floats are not copied if they are contiguous.
     """
     if isinstance(points, (str, os.PathLike)):
-        return read(points, texts)
+        return with_whole_cells(read(points, texts), texts)
     if hasattr(points, "polydata"):
         keep(texts, getattr(points, "warnings", ()))
         return points.polydata
     if hasattr(points, "GetPoints") and hasattr(points, "ShallowCopy"):
         copy = points.NewInstance()  # so that several threads can use one data set
         copy.ShallowCopy(points)
-        return copy
+        return with_whole_cells(copy, texts)
     if hasattr(points, "vertices"):
         faces = getattr(points, "faces", getattr(points, "triangles", None))
         return with_triangles(cloud_of(points.vertices), faces)
@@ -115,6 +115,17 @@ def point_set(points: typing.Any, texts: Texts = None) -> typing.Any:
     if isinstance(points, tuple) and len(points) == 2 and np.ndim(points[0]) == 2:
         return with_triangles(cloud_of(points[0]), points[1])
     return cloud_of(points)
+
+
+def with_whole_cells(data: typing.Any, texts: Texts) -> typing.Any:
+    """Return the data, without cells of too few points; a warning states their number, and is added to texts."""
+    number = cleaning.number_of_short_cells(data) if isinstance(data, vtkPolyData) else 0
+    if number == 0:
+        return data
+    found = [cleaning.text_of_short(number)]
+    warn(found)
+    keep(texts, found)
+    return cleaning.without_short_cells(data)
 
 
 def own_data(mesh: typing.Any, texts: Texts = None) -> typing.Any:

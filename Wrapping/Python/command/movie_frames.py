@@ -14,7 +14,7 @@ from conformalsom import (
 from conformalsom.messages import errors_outside, heard
 from conformalsom.triangles import triangles_of
 
-from . import finite_points, mapped_files, scan_files, shape_steps, volumes
+from . import cleaning, mapped_files, scan_files, shape_steps, volumes
 from .steps import StepFailed
 
 SPHERE = shape_steps.SPHERE
@@ -95,7 +95,7 @@ class Surfaces:
         scan = scan_files.scan_reader(frame.path)
         with errors_outside() as broken:
             self.steps.run(f"Read {frame.name}", scan)
-        data = finite_points.kept(scan.GetOutputDataObject(0), self.steps, f"Read {frame.name}")
+        data = cleaning.kept(scan.GetOutputDataObject(0), self.steps, f"Read {frame.name}")
         if broken or data.GetNumberOfPoints() == 0:
             raise Skipped(broken[0] if broken else "no points found")
         data = self.placed(data)

@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .finite_points import cells_of
+from .cleaning import cells_of
 from .python_reader import PythonReader
 
 FLOAT_SHIFT = 1e-5  # of the size, by which floats may shift points

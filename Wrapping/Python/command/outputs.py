@@ -284,7 +284,7 @@ def write_part(steps, writer, part, path):
     if isinstance(writer, (vtkSTLWriter, ThreeMFWriter)):  # whose input is up to date only now
         expect_floats(writer.GetInputDataObject(0, 0), path)
     if isinstance(writer, vtkOBJWriter):  # which does not notice a full disk
-        expect_polygons(part, writer.GetInputDataObject(0, 0).GetNumberOfPolys(), path)
+        expect_polygons(part, writer.GetInputDataObject(0, 0), path)
     if not os.path.exists(part):
         raise OSError(errno.EIO, "it could not be written", path)
 
@@ -317,8 +317,10 @@ def expect_space(writer, path):
         raise OSError(errno.EIO, "it could not be written completely; is the disk full?", path)
 
 
-def expect_polygons(part, number, path):
-    """Raise OSError unless an .obj file has so many polygons; path is what it is to become."""
+def expect_polygons(part, surface, path):
+    """Raise OSError unless an .obj file has all polygons of a surface; path is what it is to become."""
+    strips = surface.GetStrips()  # written as triangles
+    number = surface.GetNumberOfPolys() + strips.GetNumberOfConnectivityIds() - 2 * strips.GetNumberOfCells()
     with open(part, "rb") as file:
         data = file.read()
     if not data.endswith(b"\n") or data.count(b"\nf ") != number:

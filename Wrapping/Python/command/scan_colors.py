@@ -8,7 +8,7 @@ from vtkmodules.vtkFiltersCore import vtkCellDataToPointData
 
 from conformalsom import vtkSphericalTextureImage
 
-from . import finite_points
+from . import cleaning
 
 NAME = "Color"
 
@@ -33,14 +33,14 @@ def colors_of(scan):
 
 def finite_part(scan, colors):
     """The points of a scan with finite coordinates, with the cells between them, and their colors."""
-    finite = finite_points.flags_of(scan)
+    finite = cleaning.flags_of(scan)
     if finite.all():
         return scan, colors
     surface = scan
     if not isinstance(scan, vtkPolyData):
         surface = vtkPolyData()
         surface.SetPoints(scan.GetPoints())
-    return finite_points.with_points(surface, finite), colors[finite]
+    return cleaning.with_points(surface, finite), colors[finite]
 
 
 def baked(painted, scan, colors, side=None):

@@ -17,7 +17,7 @@ from conformalsom import (
     vtkConformalSOM, vtkConsistentRemesh, vtkGenusZeroCheck, vtkGlobalConformalMap, vtkSphericalRegistration)
 from conformalsom.messages import errors_outside
 
-from . import finite_points, outputs, scan_files, shape_landmarks
+from . import cleaning, outputs, scan_files, shape_landmarks
 from .plan import Paths
 
 SPHERE = "SpherePosition"
@@ -92,7 +92,7 @@ def mapped(step, _, steps):
         steps.run("Read the scan", scan)
     if broken:
         raise ValueError(f"{step.scan}: {broken[0]}")
-    data = finite_points.kept(scan.GetOutputDataObject(0), steps)
+    data = cleaning.kept(scan.GetOutputDataObject(0), steps)
     if data.GetNumberOfPoints() == 0:
         raise ValueError(f"{step.scan}: no points found")
     has_shift = hasattr(scan, "GetShiftCoordinates")  # else the array is of the file, as are the landmarks

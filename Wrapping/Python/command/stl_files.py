@@ -12,7 +12,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .finite_points import cells_of
+from .cleaning import cells_of
 from .obj_files import as_floats
 from .python_reader import PythonReader
 

@@ -10,7 +10,7 @@ from conformalsom import (
     vtkTexturedSurfaceWriter)
 from conformalsom.messages import errors_outside
 
-from . import details, finite_points, labels, outputs, pictures, report, scan_colors, scan_files, textures
+from . import details, cleaning, labels, outputs, pictures, report, scan_colors, scan_files, textures
 from .plan import Paths
 from .steps import StepFailed, message_of
 
@@ -218,7 +218,7 @@ def make_surface(task, texture, options, steps):
         steps.run("Read the scan", scan)
     if broken:
         raise ValueError(f"{scan_path}: {broken[0]}")
-    points = finite_points.kept(scan.GetOutputDataObject(0), steps)
+    points = cleaning.kept(scan.GetOutputDataObject(0), steps)
     if points.GetNumberOfPoints() == 0:
         raise ValueError(f"{scan_path}: no points found")
     scan_files.note_shift(points, steps)

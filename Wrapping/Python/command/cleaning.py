@@ -1,0 +1,106 @@
+"""Leave out what VTK's readers take from files and its filters do not expect: points that are not finite, and cells of
+too few points, at which some of its filters crash.
+"""
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+LEAST = {"Verts": 1, "Lines": 2, "Polys": 3, "Strips": 3}  # points of a cell; in the order of cell data
+
+
+def flags_of(data):
+    """For each point of a point set, whether its coordinates are finite."""
+    if data.GetNumberOfPoints() == 0:
+        return np.ones(0, dtype=bool)
+    return np.isfinite(vtk_to_numpy(data.GetPoints().GetData())).all(axis=1)
+
+
+def number_of_short_cells(data):
+    """The number of cells of a surface that have too few points."""
+    return sum(count_short(getattr(data, "Get" + name)(), least) for name, least in LEAST.items())
+
+
+def count_short(cells, least):
+    """The number of cells with fewer points."""
+    size = cells.IsHomogeneous()  # of all cells; 0 without cells, and -1 if sizes differ
+    if size >= 0:
+        return cells.GetNumberOfCells() if size < least else 0
+    return int(np.count_nonzero(np.diff(vtk_to_numpy(cells.GetOffsetsArray())) < least))
+
+
+def kept(data, steps, label="Read the scan"):
+    """The data itself if all of its points are finite and all cells of a surface have enough points. Else a copy without
+    the others, and without cells at them; notes state how many are left out.
+    """
+    if not isinstance(data, vtkPolyData):
+        return data
+    finite, short = flags_of(data), number_of_short_cells(data)
+    if not finite.all():
+        steps.note(label, f"{np.count_nonzero(~finite):,} of {len(finite):,} points are not finite, and are left out")
+    if short > 0:
+        steps.note(label, text_of_short(short))
+    return data if finite.all() and short == 0 else with_points(data, finite)
+
+
+def text_of_short(number):
+    """A warning about cells that are left out."""
+    return f"{number:,} cell{'s have' if number > 1 else ' has'} too few points, and {'are' if number > 1 else 'is'} left out"
+
+
+def without_short_cells(data):
+    """A copy of a surface without cells of too few points."""
+    return with_points(data, np.ones(data.GetNumberOfPoints(), dtype=bool))
+
+
+def with_points(data, chosen):
+    """A copy of a surface or cloud with the points for which the flag is set, cells of only these, and all arrays.
+
+    Cells of too few points are left out.
+    """
+    result, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(vtk_to_numpy(data.GetPoints().GetData())[chosen], deep=True))
+    result.SetPoints(points)
+    copy_tuples(data.GetPointData(), result.GetPointData(), chosen)
+    ids = np.where(chosen, np.cumsum(chosen) - 1, -1)
+    whole = []
+    for name, least in LEAST.items():
+        cells, flags = with_ids(getattr(data, "Get" + name)(), ids, least)
+        getattr(result, "Set" + name)(cells)
+        whole.append(flags)
+    copy_tuples(data.GetCellData(), result.GetCellData(), np.concatenate(whole))
+    result.SetFieldData(data.GetFieldData())
+    return result
+
+
+def with_ids(cells, ids, least):
+    """Cells with other ids of points, without those of which one is -1 or that have too few; and for each cell whether
+    it is kept.
+    """
+    corners = vtk_to_numpy(cells.GetConnectivityArray())
+    sizes = np.diff(vtk_to_numpy(cells.GetOffsetsArray()))
+    owners = np.repeat(np.arange(len(sizes)), sizes)
+    whole = sizes >= least
+    whole[owners[ids[corners] < 0]] = False
+    return cells_of(sizes[whole], ids[corners[whole[owners]]]), whole
+
+
+def cells_of(sizes, corners):
+    """Cells with these numbers of corners, from the ids of all corners."""
+    offsets = np.zeros(len(sizes) + 1, dtype=np.int64)
+    np.cumsum(sizes, out=offsets[1:])
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True),
+                  numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=True))
+    return cells
+
+
+def copy_tuples(source, target, chosen):
+    """Copy the tuples of all arrays for which a flag is set; active arrays stay active."""
+    target.CopyAllOn()
+    target.CopyAllocate(source, int(np.count_nonzero(chosen)))
+    ends = np.flatnonzero(np.diff(np.concatenate(([0], chosen.astype(np.int8), [0])))).tolist()
+    count = 0
+    for start, end in zip(ends[::2], ends[1::2]):  # runs of chosen tuples
+        target.CopyData(source, count, end - start, start)
+        count += end - start
