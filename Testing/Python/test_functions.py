@@ -499,6 +499,32 @@ class TestFunctions(unittest.TestCase):
             if extension not in (".3mf", ".glb", ".html"):
                 self.assertEqual(len(cs.read(self.path("strips" + extension)).faces), len(faces), extension)
 
+    def test_names_of_arrays_survive_a_vtp_file(self):
+        """VTK's writer does not escape them, and its reader refuses an empty name."""
+        mesh = vtkPolyData()
+        mesh.ShallowCopy(self.surface.polydata)
+        names = ["p<0.05", "R&D", 'a "quote"', "größe > µ", "two\tlines\n", "bell\a", "text & more", ""]
+        for k, name in enumerate(names):
+            array = vtkStringArray() if name.startswith("text") else vtkFloatArray()
+            array.SetName(name)
+            for i in range(mesh.GetNumberOfPoints()):
+                array.InsertNextValue("<&>" if name.startswith("text") else k * i)
+            array.SetComponentName(0, "of <1>")
+            mesh.GetPointData().AddArray(array)
+        mesh.GetPointData().SetActiveScalars("R&D")
+        mesh.GetFieldData().AddArray(mesh.GetPointData().GetArray("p<0.05"))
+        cs.conformal_map(mesh).save(self.path("names.vtp"))
+        read = cs.read(self.path("names.vtp")).polydata.GetPointData()
+        expected = [*names[:5], "bell_", "text & more", "array"]
+        found = [read.GetAbstractArray(i).GetName() for i in range(read.GetNumberOfArrays())]
+        self.assertEqual([name for name in found if name in expected], expected)
+        for k, name in enumerate(expected):
+            array = read.GetAbstractArray(name)
+            self.assertEqual(array.GetValue(7), "<&>" if name.startswith("text") else 7 * k)
+            self.assertEqual(array.GetComponentName(0), "of <1>")
+        self.assertEqual(read.GetScalars().GetName(), "R&D")
+        self.assertIsNotNone(cs.read(self.path("names.vtp")).polydata.GetFieldData().GetArray("p<0.05"))
+
     def test_vtk_files_that_end_early_are_errors(self):
         """VTK's reader sets missing values to anything, and only its output window tells."""
         before = vtkOutputWindow.GetInstance()

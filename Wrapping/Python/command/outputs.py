@@ -18,6 +18,7 @@ from conformalsom import vtkTexturedSurfaceWriter
 from conformalsom.messages import FilterFailed
 
 from .threemf import ThreeMFWriter
+from .xml_names import escape_input
 
 PREFIX = ".conformalsom-"  # of what is not finished
 ACCESS_LIST = "system.posix_acl_access"
@@ -274,6 +275,8 @@ def write(steps, writer, path, token=None, overwrite=True, shared=(), files=None
 def write_part(steps, writer, part, path):
     """Write an unfinished file by a writer that has its inputs; errors name the path that the file is to have."""
     writer.SetFileName(part)
+    if isinstance(writer, vtkXMLPolyDataWriter):
+        escape_input(writer)
     try:
         steps.run(f"Write {os.path.basename(path)}", writer, writer.Write)
     except FilterFailed as error:  # which names what only writing needs
