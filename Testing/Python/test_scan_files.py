@@ -13,7 +13,7 @@ from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 
 import conformalsom
 from conformalsom.command import cleaning, obj_files, scan_files, shape_steps, stl_files
-from conformalsom.command.steps import Steps
+from conformalsom.command.steps import StepFailed, Steps
 from conformalsom.messages import heard
 from test_command import colored, egg, hues, points_of, write
 
@@ -225,6 +225,21 @@ class TestCleaning(unittest.TestCase):
         self.assertEqual(vtk_to_numpy(result.GetCellData().GetArray("Number")).tolist(), [*range(2, 2 + len(whole))])
         self.assertEqual(points_of(result).tolist(), points_of(mesh).tolist())
         self.assertIs(cleaning.kept(result, Steps()), result)
+
+    def test_cells_that_refer_to_missing_points_are_named(self):
+        mesh = egg(3)
+        vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())[5] = 92
+        self.assertIs(cleaning.kept(mesh, Steps()), mesh)  # filters refuse it
+        vtk_to_numpy(mesh.GetPoints().GetData())[0, 0] = np.nan
+        with self.assertRaisesRegex(StepFailed, "a cell refers to point 92 of 92"):
+            cleaning.kept(mesh, Steps())
+
+    def test_cell_arrays_without_a_tuple_for_each_cell_are_kept_for_the_filter(self):
+        mesh, numbers = egg(3), numpy_to_vtk(np.zeros(5), deep=True)
+        mesh.GetPolys().InsertNextCell(2, (3, 4))
+        numbers.SetName("Number")
+        mesh.GetCellData().AddArray(numbers)
+        self.assertIs(cleaning.without_short_cells(mesh), mesh)
 
     def test_no_point_is_finite(self):
         mesh = egg(1)

@@ -6,6 +6,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from .steps import StepFailed
+
 LEAST = {"Verts": 1, "Lines": 2, "Polys": 3, "Strips": 3}  # points of a cell; in the order of cell data
 
 
@@ -35,12 +37,15 @@ def kept(data, steps, label="Read the scan"):
     """
     if not isinstance(data, vtkPolyData):
         return data
-    finite, short = flags_of(data), number_of_short_cells(data)
-    if not finite.all():
-        steps.note(label, f"{np.count_nonzero(~finite):,} of {len(finite):,} points are not finite, and are left out")
+    short = number_of_short_cells(data)
     if short > 0:
         steps.note(label, text_of_short(short))
-    return data if finite.all() and short == 0 else with_points(data, finite)
+        data = without_short_cells(data)
+    finite = flags_of(data)
+    if finite.all():
+        return data
+    steps.note(label, f"{np.count_nonzero(~finite):,} of {len(finite):,} points are not finite, and are left out")
+    return with_points(data, finite)
 
 
 def text_of_short(number):
@@ -49,23 +54,34 @@ def text_of_short(number):
 
 
 def without_short_cells(data):
-    """A copy of a surface without cells of too few points."""
-    return with_points(data, np.ones(data.GetNumberOfPoints(), dtype=bool))
+    """A copy of a surface without cells of too few points. The data itself if a cell array has not a tuple for each cell,
+    which filters report.
+    """
+    fields, whole = data.GetCellData(), []
+    arrays = (fields.GetAbstractArray(i) for i in range(fields.GetNumberOfArrays()))
+    if any(array.GetNumberOfTuples() != data.GetNumberOfCells() for array in arrays):
+        return data
+    result = data.NewInstance()
+    result.ShallowCopy(data)
+    for name, least in LEAST.items():
+        corners, sizes = corners_and_sizes(getattr(data, "Get" + name)())
+        whole.append(sizes >= least)
+        getattr(result, "Set" + name)(cells_of(sizes[whole[-1]], corners[np.repeat(whole[-1], sizes)]))
+    result.GetCellData().Initialize()
+    copy_tuples(fields, result.GetCellData(), np.concatenate(whole))
+    return result
 
 
 def with_points(data, chosen):
-    """A copy of a surface or cloud with the points for which the flag is set, cells of only these, and all arrays.
-
-    Cells of too few points are left out.
-    """
+    """A copy of a surface or cloud with the points for which the flag is set, cells of only these, and all arrays."""
     result, points = vtkPolyData(), vtkPoints()
     points.SetData(numpy_to_vtk(vtk_to_numpy(data.GetPoints().GetData())[chosen], deep=True))
     result.SetPoints(points)
     copy_tuples(data.GetPointData(), result.GetPointData(), chosen)
     ids = np.where(chosen, np.cumsum(chosen) - 1, -1)
     whole = []
-    for name, least in LEAST.items():
-        cells, flags = with_ids(getattr(data, "Get" + name)(), ids, least)
+    for name in LEAST:
+        cells, flags = with_ids(getattr(data, "Get" + name)(), ids)
         getattr(result, "Set" + name)(cells)
         whole.append(flags)
     copy_tuples(data.GetCellData(), result.GetCellData(), np.concatenate(whole))
@@ -73,16 +89,20 @@ def with_points(data, chosen):
     return result
 
 
-def with_ids(cells, ids, least):
-    """Cells with other ids of points, without those of which one is -1 or that have too few; and for each cell whether
-    it is kept.
-    """
-    corners = vtk_to_numpy(cells.GetConnectivityArray())
-    sizes = np.diff(vtk_to_numpy(cells.GetOffsetsArray()))
+def with_ids(cells, ids):
+    """Cells with other ids of points, without those of which one is -1; and for each cell whether it is kept."""
+    corners, sizes = corners_and_sizes(cells)
+    for corner in corners[(corners < 0) | (corners >= len(ids))][:1]:
+        raise StepFailed(f"a cell refers to point {corner} of {len(ids)}")
     owners = np.repeat(np.arange(len(sizes)), sizes)
-    whole = sizes >= least
+    whole = np.ones(len(sizes), dtype=bool)
     whole[owners[ids[corners] < 0]] = False
     return cells_of(sizes[whole], ids[corners[whole[owners]]]), whole
+
+
+def corners_and_sizes(cells):
+    """The ids of points of all cells, and the number of points of each."""
+    return vtk_to_numpy(cells.GetConnectivityArray()), np.diff(vtk_to_numpy(cells.GetOffsetsArray()))
 
 
 def cells_of(sizes, corners):
