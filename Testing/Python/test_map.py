@@ -14,6 +14,7 @@ import unittest
 from unittest import mock
 
 import numpy as np
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -289,6 +290,25 @@ class TestMap(unittest.TestCase):
                 io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as told, mock.patch.object(main, "drop_output"):
             status = main.main(["map", self.body, "-o", self.path_of("new.tif")])
         self.assertEqual((status, told.getvalue()), (1, "conformalsom: there is not enough memory\n"))
+
+    def test_cells_of_too_few_points_are_left_out_and_cut_files_are_refused(self):
+        reader, writer = vtkConformalPLYReader(), vtkPolyDataWriter()
+        reader.SetFileName(self.body)
+        reader.Update()
+        reader.GetOutput().GetPolys().InsertNextCell(2, (3, 4))
+        with tempfile.TemporaryDirectory() as folder:
+            path, target = (os.path.join(folder, name) for name in ("body.vtk", "body.tif"))
+            writer.SetInputData(reader.GetOutput())
+            writer.SetFileName(path)
+            writer.Write()
+            made = conformalsom("map", path, "-o", target, "--width", 64)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertIn("body.vtk: note: Read body: 1 cell has too few points, and is left out\n", made.stderr)
+            os.remove(target)
+            os.truncate(path, os.path.getsize(path) // 3)
+            cut = conformalsom("map", path, "-o", target, "--width", 64)
+            self.assertEqual((cut.returncode, os.listdir(folder)), (1, ["body.vtk"]))
+            self.assertIn("body.vtk: ", cut.stderr)
 
     def test_what_cannot_work_is_said_and_nothing_is_written(self):
         target = self.path_of("new.tif")
