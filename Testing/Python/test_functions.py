@@ -2,6 +2,7 @@
 filter runs."""
 import copy
 import inspect
+import locale
 import os
 import pickle
 import re
@@ -524,6 +525,28 @@ class TestFunctions(unittest.TestCase):
             self.assertEqual(array.GetComponentName(0), "of <1>")
         self.assertEqual(read.GetScalars().GetName(), "R&D")
         self.assertIsNotNone(cs.read(self.path("names.vtp")).polydata.GetFieldData().GetArray("p<0.05"))
+
+    def test_vtk_files_keep_the_locale(self):
+        """VTK's reader and writer set it to C, in which Python takes text for ASCII; here several threads use them."""
+        before = locale.setlocale(locale.LC_ALL)
+        locale.setlocale(locale.LC_CTYPE, "C.UTF-8")
+        expected = locale.setlocale(locale.LC_ALL)
+        paths = [self.path(f"locale{k}.vtk") for k in range(4)]
+
+        def use(path):
+            self.surface.save(path)
+            cs.read(path)
+
+        try:
+            threads = [threading.Thread(target=use, args=(path,)) for path in paths]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            self.assertTrue(all(os.path.exists(path) for path in paths))
+            self.assertEqual(locale.setlocale(locale.LC_ALL), expected)
+        finally:
+            locale.setlocale(locale.LC_ALL, before)
 
     def test_vtk_files_that_end_early_are_errors(self):
         """VTK's reader sets missing values to anything, and only its output window tells."""

@@ -23,6 +23,7 @@ from conformalsom import vtkConformalPLYReader, vtkGeodesicSphereSource
 from conformalsom.command import geotiff, jobs, main, map_picture, mapped_files, maps
 from conformalsom.command.plan import WrongUsage
 from conformalsom.command.steps import Steps
+from conformalsom.locales import same_locale
 from test_command import heed_interrupts
 
 try:
@@ -300,7 +301,8 @@ class TestMap(unittest.TestCase):
             path, target = (os.path.join(folder, name) for name in ("body.vtk", "body.tif"))
             writer.SetInputData(reader.GetOutput())
             writer.SetFileName(path)
-            writer.Write()
+            with same_locale(writer):
+                writer.Write()
             made = conformalsom("map", path, "-o", target, "--width", 64)
             self.assertEqual(made.returncode, 0, made.stderr)
             self.assertIn("body.vtk: note: Read body: 1 cell has too few points, and is left out\n", made.stderr)

@@ -8,6 +8,7 @@ import warnings
 from vtkmodules.vtkCommonDataModel import vtkPointSet
 
 import conformalsom
+from conformalsom.locales import same_locale
 from conformalsom.messages import FilterFailed, FilterWarning, in_words, own_errors, text_of
 from conformalsom.reporting import Progress, reporter
 
@@ -24,7 +25,7 @@ def run(algorithm: typing.Any, progress: Progress = False,
     parts of warnings, and what replaces them.
     """
     name = algorithm.GetClassName()
-    with reporter(progress, name) as report:
+    with same_locale(algorithm), reporter(progress, name) as report:
         update = conformalsom.vtkBackgroundUpdate()
         update.Start(algorithm)
         try:

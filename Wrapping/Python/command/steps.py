@@ -2,6 +2,7 @@
 import sys
 import time
 
+from conformalsom.locales import same_locale
 from conformalsom.messages import FilterFailed, heard, in_words
 
 from .progress import printable
@@ -50,7 +51,7 @@ class Steps:
         self.began(label)
         self.running = algorithm
         try:
-            with heard(algorithm) as messages:
+            with same_locale(algorithm), heard(algorithm) as messages:
                 (work or algorithm.Update)()
         finally:
             self.running = None
