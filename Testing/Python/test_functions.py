@@ -526,6 +526,21 @@ class TestFunctions(unittest.TestCase):
         self.assertEqual(read.GetScalars().GetName(), "R&D")
         self.assertIsNotNone(cs.read(self.path("names.vtp")).polydata.GetFieldData().GetArray("p<0.05"))
 
+    def test_cells_that_refer_to_missing_points_are_errors(self):
+        """Writers and filters of VTK would crash at them."""
+        broken = vtkPolyData()
+        broken.DeepCopy(self.surface.polydata)
+        broken.GetPolys().InsertNextCell(3, (0, 1, 10**8))
+        for use in (cs.learn, cs.conformal_map, self.surface.bake, self.surface.register, lambda data: cs.mean_shape([data])):
+            with self.assertRaisesRegex(ValueError, f"^cell [0-9]+ refers to point 100000000 of {len(self.surface)}$"):
+                use(broken)
+        with open(self.path("broken.vtk"), "w", encoding="ascii") as file:
+            file.write("# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+                       "POLYGONS 2 8\n3 0 1 2\n3 0 1 3\n")
+        for use in (cs.read, cs.learn):
+            with self.assertRaisesRegex(ValueError, "broken.vtk: cell 1 refers to point 3 of 3"):
+                use(self.path("broken.vtk"))
+
     def test_vtk_files_keep_the_locale(self):
         """VTK's reader and writer set it to C, in which Python takes text for ASCII; here several threads use them."""
         before = locale.setlocale(locale.LC_ALL)

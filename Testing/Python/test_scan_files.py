@@ -227,12 +227,14 @@ class TestCleaning(unittest.TestCase):
         self.assertIs(cleaning.kept(result, Steps()), result)
 
     def test_cells_that_refer_to_missing_points_are_named(self):
-        mesh = egg(3)
-        vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())[5] = 92
-        self.assertIs(cleaning.kept(mesh, Steps()), mesh)  # filters refuse it
-        vtk_to_numpy(mesh.GetPoints().GetData())[0, 0] = np.nan
-        with self.assertRaisesRegex(StepFailed, "a cell refers to point 92 of 92"):
-            cleaning.kept(mesh, Steps())
+        for wrong in (92, 10**9, -1):
+            mesh, lines = egg(3), vtkCellArray()
+            lines.InsertNextCell(2, (5, 6))
+            mesh.SetLines(lines)
+            vtk_to_numpy(mesh.GetPolys().GetConnectivityArray())[5] = wrong
+            with self.assertRaisesRegex(StepFailed, f"Read the scan: cell 2 refers to point {wrong} of 92"):
+                cleaning.kept(mesh, Steps())
+        self.assertEqual(cleaning.wrong_id(vtkPolyData()), "")
 
     def test_cell_arrays_without_a_tuple_for_each_cell_are_kept_for_the_filter(self):
         mesh, numbers = egg(3), numpy_to_vtk(np.zeros(5), deep=True)

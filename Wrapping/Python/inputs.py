@@ -99,7 +99,7 @@ def point_set(points: typing.Any, texts: Texts = None) -> typing.Any:
     Arrays of 32 or 64 bit floats are not copied if they are contiguous.
     """
     if isinstance(points, (str, os.PathLike)):
-        return with_whole_cells(read(points, texts), texts)
+        return with_whole_cells(read(points, texts), texts, f"{os.fspath(points)}: ")
     if hasattr(points, "polydata"):
         keep(texts, getattr(points, "warnings", ()))
         return points.polydata
@@ -117,12 +117,20 @@ def point_set(points: typing.Any, texts: Texts = None) -> typing.Any:
     return cloud_of(points)
 
 
-def with_whole_cells(data: typing.Any, texts: Texts) -> typing.Any:
-    """Return the data, without cells of too few points; a warning states their number, and is added to texts."""
-    number = cleaning.number_of_short_cells(data) if isinstance(data, vtkPolyData) else 0
+def with_whole_cells(data: typing.Any, texts: Texts, name: str = "") -> typing.Any:
+    """Return the data, without cells of too few points; a warning states their number, and is added to texts.
+
+    Raises ValueError if a cell refers to a point that is not there. Messages begin with `name`.
+    """
+    if not isinstance(data, vtkPolyData):
+        return data
+    wrong = cleaning.wrong_id(data)
+    if wrong:
+        raise ValueError(name + wrong)
+    number = cleaning.number_of_short_cells(data)
     if number == 0:
         return data
-    found = [cleaning.text_of_short(number)]
+    found = [name + cleaning.text_of_short(number)]
     warn(found)
     keep(texts, found)
     return cleaning.without_short_cells(data)

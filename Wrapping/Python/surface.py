@@ -312,8 +312,9 @@ class Surface:
             if data.GetNumberOfCells() == 0 or not isinstance(data, vtkPolyData):
                 points, data = data.GetPoints(), vtkPolyData()
                 data.SetPoints(points)
-                data.SetPolys(rest.polydata.GetPolys())
-                data.SetStrips(rest.polydata.GetStrips())
+                if data.GetNumberOfPoints() == len(rest):  # otherwise the filter reports the numbers
+                    data.SetPolys(rest.polydata.GetPolys())
+                    data.SetStrips(rest.polydata.GetStrips())
             if algorithm is None:
                 algorithm, found = updated("vtkDeformationTransfer", [self], progress,
                                            {**properties, "source": rest, "pose": data})

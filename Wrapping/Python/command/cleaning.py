@@ -18,6 +18,20 @@ def flags_of(data):
     return np.isfinite(vtk_to_numpy(data.GetPoints().GetData())).all(axis=1)
 
 
+def wrong_id(data):
+    """A text about the first cell of a surface that refers to a point that is not there; empty if there is none."""
+    count, before = data.GetNumberOfPoints(), 0
+    for name in LEAST:
+        cells = getattr(data, "Get" + name)()
+        ids = vtk_to_numpy(cells.GetConnectivityArray())
+        if ids.min(initial=0) < 0 or ids.max(initial=-1) >= count:
+            place = np.argmax((ids < 0) | (ids >= count))
+            cell = np.searchsorted(vtk_to_numpy(cells.GetOffsetsArray()), place, side="right") - 1
+            return f"cell {before + cell} refers to point {ids[place]} of {count}"
+        before += cells.GetNumberOfCells()
+    return ""
+
+
 def number_of_short_cells(data):
     """The number of cells of a surface that have too few points."""
     return sum(count_short(getattr(data, "Get" + name)(), least) for name, least in LEAST.items())
@@ -34,9 +48,14 @@ def count_short(cells, least):
 def kept(data, steps, label="Read the scan"):
     """The data itself if all of its points are finite and all cells of a surface have enough points. Else a copy without
     the others, and without cells at them; notes state how many are left out.
+
+    Raises StepFailed if a cell refers to a point that is not there.
     """
     if not isinstance(data, vtkPolyData):
         return data
+    wrong = wrong_id(data)
+    if wrong:
+        raise StepFailed(f"{label}: {wrong}")
     short = number_of_short_cells(data)
     if short > 0:
         steps.note(label, text_of_short(short))
@@ -92,8 +111,6 @@ def with_points(data, chosen):
 def with_ids(cells, ids):
     """Cells with other ids of points, without those of which one is -1; and for each cell whether it is kept."""
     corners, sizes = corners_and_sizes(cells)
-    for corner in corners[(corners < 0) | (corners >= len(ids))][:1]:
-        raise StepFailed(f"a cell refers to point {corner} of {len(ids)}")
     owners = np.repeat(np.arange(len(sizes)), sizes)
     whole = np.ones(len(sizes), dtype=bool)
     whole[owners[ids[corners] < 0]] = False
