@@ -164,6 +164,7 @@ std::vector<ProgressRun> ProgressRuns()
         few(som);
         som->AddPatternArray("Height", 1.0);
       }),
+    Run<F>("head, many neurons", head, [](F* som) { som->SetNumberOfNeurons(5002); }),
     Run<F>("head, without a fit", head, [](F* som) { som->SetFitIterations(0); }),
     Run<F>("limbs", limbs, few),
     Run<F>("head, from the sphere", head,
@@ -337,7 +338,7 @@ Case ConformalSOM()
     Learns("Batch", Learning, [](F* f, double) { f->SetTrainingModeToBatch(); }),
   };
   all.Progress = ProgressRuns();
-  all.Scans = { "cortex.ply" };
+  all.Scans = { "igea-closed.ply", "stanford-bunny-closed.ply", "cortex.ply" };
   all.Fuzz = Fuzz;
   all.Mirrors = Mirrors;
   return all;

@@ -198,7 +198,7 @@ TEST_P(CoordinateScale, PowersOfTwoGiveTheSameBits)
   const Case& item = GetParam();
   const Results base = ResultsAt(item, 1.0);
   ASSERT_FALSE(base.Failed);
-  for (const int exponent : { -1000, -500, 100, 560, 1023 })
+  for (const int exponent : { -1000, -560, -500, -20, 100, 500, 560, 1000, 1023 })
   {
     SCOPED_TRACE(exponent);
     const double scale = std::ldexp(1.0, exponent);
@@ -216,7 +216,7 @@ TEST_P(CoordinateScale, OtherUnitsGiveTheSameButForRounding)
 {
   const Case& item = GetParam();
   const Results base = ResultsAt(item, 1.0);
-  for (const double scale : { 1e-300, 1e-20, 1e154, 1.7e308 })
+  for (const double scale : { 1e-300, 1e-170, 1e-20, 1e154, 1e200, 1e307, 1.7e308 })
   {
     SCOPED_TRACE(scale);
     const Results results = ResultsAt(item, scale);
@@ -232,7 +232,7 @@ TEST_P(CoordinateScale, OtherUnitsGiveTheSameButForRounding)
 
 TEST_P(CoordinateScale, CoordinatesOfFewBitsGiveNumbersOrAnError)
 {
-  for (const double scale : { 0.0, 5e-324, 1e-315 })
+  for (const double scale : { 0.0, 5e-324, 1e-322, 1e-315, 1e-310 })
   {
     SCOPED_TRACE(scale);
     EXPECT_TRUE(IsFinite(ResultsAt(GetParam(), scale)));

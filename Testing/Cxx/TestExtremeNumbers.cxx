@@ -149,7 +149,7 @@ TEST(ExtremeNumbers, AMapToTheSphereMayHaveVectorsOfAnyLength)
     };
     std::vector<double> expected, result;
     resultWith(1.0, &expected);
-    for (const double length : { 1e-200, 1e160, Largest })
+    for (const double length : { 1e-200, 1e-160, 0x1p-100, 0x1p100, 1e160, 1e200, Largest })
     {
       SCOPED_TRACE(length);
       resultWith(length, &result);
@@ -213,7 +213,7 @@ TEST(ExtremeNumbers, AViewPointMayBeAnywhere)
 
 TEST(ExtremeNumbers, InputsMayDifferInUnit)
 {
-  const double scales[] = { 1e-320, 1e-300, 1e-170, 1.0, 1e154, 1e307 };
+  const double scales[] = { 1e-320, 1e-300, 1e-170, 1e-20, 1.0, 1e20, 1e154, 1e200, 1e307 };
   ForEveryMode(
     [&](const cases::Case& of, const cases::Mode& mode)
     {

@@ -253,7 +253,7 @@ TEST_P(Observers, FiltersKeepWhatTheyBeganWith)
     reference->Update();
     const Bytes expected = WithoutPassedFields(OutputsOf(reference));
     ASSERT_FALSE(expected.empty());
-    for (const double at : { 0.0, 0.6 })
+    for (const double at : { 0.0, 0.4, 0.8 })
     {
       SCOPED_TRACE(of.name(mode) + " at " + std::to_string(at));
       const Algorithm filter = MakeLarge(of, mode);

@@ -182,7 +182,7 @@ class TestStudy(unittest.TestCase):
         self.assertEqual([row["group"] for row in table(self.study, "scores.csv")], self.groups)
 
     def test_registration_is_that_of_the_template(self):
-        names, study = self.names[:2], os.path.join(self.folder, "two")
+        names, study = self.names[:3], os.path.join(self.folder, "three")
         run = command(self.folder, "shapes", *names, "-o", study, *SMALL, "--rounds", "2", "--jobs", "2")
         self.assertEqual(run.returncode, 0, run.stderr)
         template, blocks = vtkSphericalTemplate(), vtkMultiBlockDataSet()
@@ -291,7 +291,7 @@ class TestStops(unittest.TestCase):
         cloud.SetPoints(read(vtkConformalPLYReader(), cls.folder, cls.names.pop()).GetPoints())
         write(vtkTextCloudWriter(), cloud, cls.folder, "cloud.xyz")
         cls.names.append("cloud.xyz")
-        command(cls.folder, "shapes", *cls.names, "-o", "whole", *SMALL, "--jobs", "1")
+        cls.run_ = command(cls.folder, "shapes", *cls.names, "-o", "whole", *SMALL, "--jobs", "1")
         cls.whole = os.path.join(cls.folder, "whole")
 
     @classmethod
@@ -300,6 +300,10 @@ class TestStops(unittest.TestCase):
 
     def study(self, folder, *arguments):
         run = command(self.folder, "shapes", *self.names, "-o", folder, *SMALL, *arguments)
+        return self.checked(run, folder)
+
+    def checked(self, run, folder):
+        """The results of a study that was made without an error."""
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual([line for line in run.stderr.splitlines() if " note: " not in line], [])
         self.assertEqual(temporaries_of(os.path.join(self.folder, folder)), [])
@@ -307,7 +311,7 @@ class TestStops(unittest.TestCase):
 
     def assertWhole(self, results, folder):
         """They are those of the whole study, but for the titles, which name the folder."""
-        whole = results_of(self.whole)
+        whole = self.checked(self.run_, "whole")
         self.assertEqual(sorted(results), sorted(whole))
         for name, data in whole.items():
             self.assertEqual(results[name] == data.replace(b">whole<", f">{folder}<".encode()), True, name)

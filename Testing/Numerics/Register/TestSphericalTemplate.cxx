@@ -77,7 +77,7 @@ TEST(SphericalTemplate, CopiesGiveTheirBodyBack)
     inputs.push_back(copy(s, frequency));
   }
   SphericalTemplateOptions options;
-  options.MaximumNumberOfRounds = 1;
+  options.MaximumNumberOfRounds = 2;
   const SphericalTemplateResult result = findSphericalTemplate(inputs, {}, options);
   ASSERT_EQ(result.Registrations.size(), 3U);
   for (int s = 1; s < count; ++s)
