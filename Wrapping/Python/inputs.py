@@ -124,16 +124,14 @@ def with_whole_cells(data: typing.Any, texts: Texts, name: str = "") -> typing.A
     """
     if not isinstance(data, vtkPolyData):
         return data
-    wrong = cleaning.wrong_id(data)
-    if wrong:
-        raise ValueError(name + wrong)
-    number = cleaning.number_of_short_cells(data)
-    if number == 0:
-        return data
-    found = [name + cleaning.text_of_short(number)]
-    warn(found)
-    keep(texts, found)
-    return cleaning.without_short_cells(data)
+    try:
+        data, text = cleaning.with_whole_cells(data)
+    except ValueError as error:
+        raise ValueError(f"{name}{error}") from None
+    if text:
+        warn([name + text])
+        keep(texts, [name + text])
+    return data
 
 
 def own_data(mesh: typing.Any, texts: Texts = None) -> typing.Any:

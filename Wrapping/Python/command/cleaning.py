@@ -53,13 +53,12 @@ def kept(data, steps, label="Read the scan"):
     """
     if not isinstance(data, vtkPolyData):
         return data
-    wrong = wrong_id(data)
-    if wrong:
-        raise StepFailed(f"{label}: {wrong}")
-    short = number_of_short_cells(data)
-    if short > 0:
-        steps.note(label, text_of_short(short))
-        data = without_short_cells(data)
+    try:
+        data, text = with_whole_cells(data)
+    except ValueError as error:
+        raise StepFailed(f"{label}: {error}") from None
+    if text:
+        steps.note(label, text)
     finite = flags_of(data)
     if finite.all():
         return data
@@ -67,19 +66,26 @@ def kept(data, steps, label="Read the scan"):
     return with_points(data, finite)
 
 
-def text_of_short(number):
-    """A warning about cells that are left out."""
-    return f"{number:,} cell{'s have' if number > 1 else ' has'} too few points, and {'are' if number > 1 else 'is'} left out"
+def with_whole_cells(data):
+    """A surface without its cells of too few points, and a warning with their number; empty if there are none.
+
+    Nothing is left out if a cell array has not a tuple for each cell, which filters report. Raises ValueError if a cell
+    refers to a point that is not there.
+    """
+    wrong, number = wrong_id(data), number_of_short_cells(data)
+    if wrong:
+        raise ValueError(wrong)
+    fields = data.GetCellData()
+    arrays = (fields.GetAbstractArray(i) for i in range(fields.GetNumberOfArrays()))
+    if number == 0 or any(array.GetNumberOfTuples() != data.GetNumberOfCells() for array in arrays):
+        return data, ""
+    have, are = ("cells have", "are") if number > 1 else ("cell has", "is")
+    return without_short_cells(data), f"{number:,} {have} too few points, and {are} left out"
 
 
 def without_short_cells(data):
-    """A copy of a surface without cells of too few points. The data itself if a cell array has not a tuple for each cell,
-    which filters report.
-    """
+    """A copy of a surface without cells of too few points."""
     fields, whole = data.GetCellData(), []
-    arrays = (fields.GetAbstractArray(i) for i in range(fields.GetNumberOfArrays()))
-    if any(array.GetNumberOfTuples() != data.GetNumberOfCells() for array in arrays):
-        return data
     result = data.NewInstance()
     result.ShallowCopy(data)
     for name, least in LEAST.items():

@@ -2,9 +2,8 @@
 import os
 
 from conformalsom import vtkGlobalConformalMap
-from conformalsom.messages import errors_outside
 
-from . import cleaning, scan_files
+from . import scan_files
 
 
 def name_of(path):
@@ -14,12 +13,7 @@ def name_of(path):
 
 def read(path, balance, steps):
     """A file's surface, mapped to the sphere with this AreaBalance unless the file has a map."""
-    reader, label = scan_files.scan_reader(path), f"Read {name_of(path)}"
-    with errors_outside() as broken:
-        steps.run(label, reader)
-    if broken:
-        raise ValueError(f"{path}: {broken[0]}")
-    surface = cleaning.kept(reader.GetOutput(), steps, label)
+    _, surface = scan_files.read(path, steps, f"Read {name_of(path)}")
     if surface.GetPointData().GetArray("SpherePosition"):
         return surface
     if surface.GetNumberOfPolys() + surface.GetNumberOfStrips() == 0:

@@ -8,8 +8,9 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import conformalsom
+from conformalsom.messages import errors_outside
 
-from . import outputs
+from . import cleaning, outputs
 from .obj_files import OBJReader
 from .stl_files import STLReader
 
@@ -25,9 +26,9 @@ READERS_BY_EXTENSION = {
 
 
 def reader_class(path):
-    """The filter that knows the file by its content, or the reader of its extension.
+    """The reader of ours that knows the file by its content, or the one that READERS_BY_EXTENSION has.
 
-    Otherwise a filter of the extension, which says what is wrong with the file, or None.
+    Otherwise ours of the extension, which says what is wrong with the file, or None.
     """
     extension = os.path.splitext(path)[1].lower()
     for reader in OUR_READERS:
@@ -46,6 +47,19 @@ def scan_reader(path):
     extensions = [extension for ours in OUR_READERS for extension in ours().GetFileExtensions().split()]
     known = " ".join(sorted({*extensions, *READERS_BY_EXTENSION}))
     return opened(path, reader_class, known + outputs.lacking("Reader"))
+
+
+def read(path, steps, label="Read the scan"):
+    """The reader of a scan, after it has run, and its points or surface, without what other filters do not expect.
+
+    Raises ValueError also for a .vtk file that ends early, which is no failure for VTK.
+    """
+    reader = scan_reader(path)
+    with errors_outside() as broken:
+        steps.run(label, reader)
+    if broken:
+        raise ValueError(f"{path}: {broken[0]}")
+    return reader, cleaning.kept(reader.GetOutputDataObject(0), steps, label)
 
 
 def shift_of(points):

@@ -15,9 +15,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 import conformalsom
 from conformalsom import (
     vtkConformalSOM, vtkConsistentRemesh, vtkGenusZeroCheck, vtkGlobalConformalMap, vtkSphericalRegistration)
-from conformalsom.messages import errors_outside
 
-from . import cleaning, outputs, scan_files, shape_landmarks
+from . import outputs, scan_files, shape_landmarks
 from .plan import Paths
 
 SPHERE = "SpherePosition"
@@ -87,12 +86,7 @@ def read(steps, path):
 
 def mapped(step, _, steps):
     """A scan's closed surface with a map to the sphere, and with the vector that the reader subtracted, for landmarks."""
-    scan = scan_files.scan_reader(step.scan)
-    with errors_outside() as broken:
-        steps.run("Read the scan", scan)
-    if broken:
-        raise ValueError(f"{step.scan}: {broken[0]}")
-    data = cleaning.kept(scan.GetOutputDataObject(0), steps)
+    scan, data = scan_files.read(step.scan, steps)
     if data.GetNumberOfPoints() == 0:
         raise ValueError(f"{step.scan}: no points found")
     has_shift = hasattr(scan, "GetShiftCoordinates")  # else the array is of the file, as are the landmarks

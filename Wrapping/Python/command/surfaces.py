@@ -8,9 +8,8 @@ from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from conformalsom import (
     vtkAdaptiveSphere, vtkConformalSOM, vtkCurvedSeamlessSurface, vtkSphericalTextureMap, vtkSurfacePageWriter,
     vtkTexturedSurfaceWriter)
-from conformalsom.messages import errors_outside
 
-from . import details, cleaning, labels, outputs, pictures, report, scan_colors, scan_files, textures
+from . import details, labels, outputs, pictures, report, scan_colors, scan_files, textures
 from .plan import Paths
 from .steps import StepFailed, message_of
 
@@ -213,12 +212,7 @@ def make_surface(task, texture, options, steps):
     The texture is a source of an image, or None: then the scan's own colors are used if it has some.
     """
     scan_path, paths = task.scan, task.paths
-    scan = scan_files.scan_reader(scan_path)
-    with errors_outside() as broken:
-        steps.run("Read the scan", scan)
-    if broken:
-        raise ValueError(f"{scan_path}: {broken[0]}")
-    points = cleaning.kept(scan.GetOutputDataObject(0), steps)
+    _, points = scan_files.read(scan_path, steps)
     if points.GetNumberOfPoints() == 0:
         raise ValueError(f"{scan_path}: no points found")
     scan_files.note_shift(points, steps)
