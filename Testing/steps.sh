@@ -66,9 +66,10 @@ each()
   shift
   failed=()
   for argument in "$@"; do
-    if [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; then
+    # wait -n also returns for jobs that ended before it was called.
+    while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do
       wait -n || true
-    fi
+    done
     "$command" "$argument" &
     arguments[$!]=$argument
   done
