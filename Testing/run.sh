@@ -9,15 +9,19 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Testing/steps.sh
 
-install
+install_libraries
+{
+  install_programs
+  install_paraview
+} & # while the libraries are compiled; what fails is tried again before it is needed
 configure dev -DCMAKE_UNITY_BUILD=ON # saves up to half of the time to compile
-bash CMake/install-packages.sh paraview paraview-dev libqt5svg5 & # meanwhile
-paraview=$!
 build dev
+wait "$!" || true
+install_programs
 failed=0
 run_tests dev "$@" || failed=$?
 
-if wait "$paraview"; then
+if install_paraview; then
   bash CMake/make-paraview-prefix.sh build/paraview-prefix
   configure paraview -DCONFORMALSOM_CORE_FOLDER="$PWD/build/dev" # half of the plugin's time to compile
   build paraview

@@ -7,16 +7,39 @@ if command -v ccache >/dev/null; then
   export CCACHE_SLOPPINESS="${CCACHE_SLOPPINESS:-pch_defines,time_macros}" # for precompiled headers
 fi
 
-# install PACKAGE...: besides what every build with tests wants
+# dpkg, as root, does not wait for the disk after each file, which takes half of its time. If the machine stops
+# meanwhile, packages are to be installed again.
+export DPKG_FORCE=unsafe-io
+
+# install PACKAGE...: what builds with tests and their programs want, and these
 install()
+{
+  install_libraries "$@"
+  install_programs
+}
+
+# install_libraries PACKAGE...: what builds with tests want, and these
+install_libraries()
 {
   bash CMake/install-packages.sh cmake ninja-build g++ libvtk9-dev python3-vtk9 python3-numpy \
     libeigen3-dev libexpat1-dev zlib1g-dev libmeshoptimizer-dev libgtest-dev libbenchmark-dev libboost-dev \
-    assimp-utils connectome-workbench gdal-bin python3-gdal python3-markdown mypy libjs-three chromium f3d man-db mandoc \
-    xvfb xauth libgl1-mesa-dri openmpi-bin "$@"
+    openmpi-bin "$@"
+}
+
+# install_programs: what tests call
+install_programs()
+{
+  bash CMake/install-packages.sh assimp-utils connectome-workbench gdal-bin python3-gdal python3-markdown mypy \
+    libjs-three chromium f3d man-db mandoc xvfb xauth libgl1-mesa-dri
   if apt-cache show python3-pyvista >/dev/null 2>&1; then # Debian has it since 13
     bash CMake/install-packages.sh python3-pyvista
   fi
+}
+
+# install_paraview
+install_paraview()
+{
+  bash CMake/install-packages.sh paraview paraview-dev libqt5svg5
 }
 
 # logged LOG TITLE COMMAND...: run with all output in the log, and show its end if it fails
