@@ -18,16 +18,22 @@ configure dev -DCMAKE_UNITY_BUILD=ON # saves up to half of the time to compile
 build dev
 wait "$!" || true
 install_programs
-failed=0
-run_tests dev "$@" || failed=$?
+status=0
+run_tests dev "$@" || status=$?
 
-if install_paraview; then
-  bash CMake/make-paraview-prefix.sh build/paraview-prefix
-  configure paraview -DCONFORMALSOM_CORE_FOLDER="$PWD/build/dev" # half of the plugin's time to compile
-  build paraview
-  run_tests paraview "$@" || failed=$?
-else
-  echo "The tests of the plugin are skipped: ParaView is not installed and could not be"
-fi
-bash Testing/Wheel/run.sh || failed=$?
-exit "$failed"
+# test_plugin [ARGUMENT...]: of ctest
+test_plugin()
+{
+  install_paraview ||
+    { echo "The tests of the plugin are skipped: ParaView is not installed and could not be"; return 0; }
+  bash CMake/make-paraview-prefix.sh build/paraview-prefix &&
+    configure paraview -DCONFORMALSOM_CORE_FOLDER="$PWD/build/dev" && # half of the plugin's time to compile
+    build paraview &&
+    run_tests paraview "$@"
+}
+
+bash Testing/Wheel/run.sh & # at once with the plugin, since steps of both use one processor
+wheel=$!
+test_plugin "$@" || status=$?
+wait "$wheel" || status=$?
+exit "$status"
