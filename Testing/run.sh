@@ -18,6 +18,8 @@ configure dev -DCMAKE_UNITY_BUILD=ON # saves up to half of the time to compile
 build dev
 wait "$!" || true
 install_programs
+bash Testing/Wheel/run.sh & # meanwhile, since many of its steps use one processor or the network
+wheel=$!
 status=0
 run_tests dev "$@" || status=$?
 
@@ -32,8 +34,6 @@ test_plugin()
     run_tests paraview "$@"
 }
 
-bash Testing/Wheel/run.sh & # at once with the plugin, since steps of both use one processor
-wheel=$!
 test_plugin "$@" || status=$?
 wait "$wheel" || status=$?
 exit "$status"

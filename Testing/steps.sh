@@ -77,7 +77,9 @@ build()
 on_own_screen()
 {
   # Without -noreset the server starts anew whenever no window is open, and meanwhile refuses some.
-  xvfb-run --auto-servernum --server-args="-noreset -screen 0 1280x1024x24" "$@"
+  # Of two that start at once, both may find the same number free: each script starts from its own.
+  xvfb-run --auto-servernum --server-num="$((100 + $$ % 30000))" \
+    --server-args="-noreset -screen 0 1280x1024x24" "$@"
 }
 
 # each COMMAND ARGUMENT...: run the command with each argument alone, as many at once as there are processors.
