@@ -270,11 +270,11 @@ void WarnAbout(vtkConformalSOM* self, const conformal::TrainingSamples& samples,
   }
   else if (samples.dimension() < 3)
   {
-    vtkWarningWithObjectMacro(self, << "the points are "
-                                    << (samples.dimension() == 2      ? "coplanar"
-                                           : samples.dimension() == 1 ? "collinear"
-                                                                      : "all equal")
-                                    << "; the mesh is flat");
+    vtkWarningWithObjectMacro(
+      self, << "the points are "
+            << (samples.dimension() == 2      ? "coplanar; the mesh is flat"
+                   : samples.dimension() == 1 ? "collinear; the mesh is flat"
+                                              : "all equal; the mesh has no size"));
   }
   glue::WarnOfFarPoints(self, far);
 }
@@ -369,8 +369,8 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
   {
     vtkWarningWithObjectMacro(
       self, << "the input has " << size
-            << " points, which are too few for the object's details: the mesh between them is "
-               "uncertain. Add points");
+            << " points, which are too few for the object's details: the mesh may lie apart from "
+               "them, and is uncertain between them. Add points");
   }
   else if (isUndersampled)
   {
@@ -392,7 +392,7 @@ void WarnAbout(vtkConformalSOM* self, const conformal::ConformalSOMResult& resul
     glue::WarnOfCutHandles(self, result.CutFraction);
   }
   const conformal::Index apart = result.NumberOfSamplesOutside + result.NumberOfOutliers;
-  if (apart > size / 1000)
+  if (apart > size / 1000 && !isUnknown)
   {
     glue::WarnOfPointsApart(self, apart, size);
   }

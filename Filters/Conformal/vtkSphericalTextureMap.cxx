@@ -7,6 +7,7 @@
 #include "Glue/Points.h"
 #include "Glue/Run.h"
 #include "Glue/SphereImages.h"
+#include "Sphere/SphereOrientation.h"
 #include "SphereMap/BalancedPositions.h"
 #include "Texture/SphericalTexture.h"
 
@@ -173,6 +174,20 @@ bool IsBalanced(vtkPolyData* surface, double areaBalance)
     balance->GetNumberOfValues() == 1 && balance->GetComponent(0, 0) == areaBalance;
 }
 
+// Warn of triangles that the balanced map flips.
+void WarnOfFlips(
+  vtkObject* self, const conformal::Points& positions, const conformal::Triangles& triangles)
+{
+  const conformal::Index flipped = conformal::countFlippedTriangles(positions, triangles);
+  if (flipped > 0)
+  {
+    vtkWarningWithObjectMacro(self, << flipped << " of " << triangles.rows()
+                                    << " triangles show the image backwards, since limbs are too "
+                                       "long for the balanced map. To lay the image by the map of "
+                                       "the surface, set AreaBalance to 0");
+  }
+}
+
 // Return the input with the texture positions for the balance, or without any if the balance is 0.
 vtkSmartPointer<vtkPolyData> Balanced(vtkObject* self, vtkPolyData* input, double areaBalance,
   const conformal::CoordinateFrame& frame, const conformal::Run& run)
@@ -194,8 +209,9 @@ vtkSmartPointer<vtkPolyData> Balanced(vtkObject* self, vtkPolyData* input, doubl
     };
     try
     {
-      glue::AddVectors(surface->GetPointData(), glue::TexturePositionName(),
-        conformal::balancedPositions(mesh, areaBalance, run));
+      const conformal::Points positions = conformal::balancedPositions(mesh, areaBalance, run);
+      WarnOfFlips(self, positions, mesh.Triangles);
+      glue::AddVectors(surface->GetPointData(), glue::TexturePositionName(), positions);
       return surface;
     }
     catch (const std::invalid_argument& error)

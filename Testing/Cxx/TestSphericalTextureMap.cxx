@@ -12,11 +12,16 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkOBJReader.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace
 {
@@ -70,6 +75,25 @@ vtkIdType CountBackwards(vtkPolyData* surface)
     backwards += hidden < 3 ? !(area > 0.0) : area != 0.0;
   }
   return backwards;
+}
+
+// Triangles whose texture positions are in clockwise order.
+vtkIdType CountFlipped(vtkPolyData* surface)
+{
+  vtkDataArray* positions = surface->GetPointData()->GetArray("TexturePosition");
+  vtkIdType flipped = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
+  {
+    surface->GetPolys()->GetCellAtId(cell, ids);
+    double corners[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      positions->GetTuple(ids->GetId(k), corners[k]);
+    }
+    flipped += vtkMath::Determinant3x3(corners) < 0.0;
+  }
+  return flipped;
 }
 }
 
@@ -259,6 +283,36 @@ TEST_F(SphericalTextureMap, NoTriangleOfAScanShowsTheImageBackwards)
       this->Filter->Update();
       EXPECT_EQ(CountBackwards(this->Filter->GetOutput()), 0) << projection;
     }
+  }
+}
+
+// A limb of a thousand radii has no balanced map that is one to one.
+TEST_F(SphericalTextureMap, ReportsTrianglesThatABalancedMapFlips)
+{
+  for (const auto& [length, power] : { std::pair(20.0, 60.0), std::pair(1000.0, 30.0) })
+  {
+    vtkNew<vtkGeodesicSphereSource> source;
+    source->SetFrequency(20);
+    source->Update();
+    vtkNew<vtkPolyData> limb;
+    limb->DeepCopy(source->GetOutput());
+    for (vtkIdType v = 0; v < limb->GetNumberOfPoints(); ++v)
+    {
+      double x[3];
+      limb->GetPoint(v, x);
+      x[2] += length * std::pow(std::max(x[2], 0.0), power);
+      limb->GetPoints()->SetPoint(v, x);
+    }
+    this->Filter->SetInputData(limb);
+    this->Filter->SetAreaBalance(0.5);
+    contract::Observed observed(this->Filter);
+    this->Filter->Update();
+    const vtkIdType flipped = CountFlipped(this->Filter->GetOutput());
+    EXPECT_EQ(flipped > 0, length > 100.0);
+    EXPECT_EQ(observed.WarningMessage().find(std::to_string(flipped) +
+                " of 8000 triangles show the image backwards") != std::string::npos,
+      flipped > 0)
+      << observed.WarningMessage();
   }
 }
 

@@ -214,7 +214,7 @@ class TestCommand(unittest.TestCase):
             b"IDAT", zlib.compress(b"0")) + chunk(b"IEND", b"")
         for name, content in (
                 ("broken.ply", b"ply\nformat ascii 1.0\nelement vertex 5\n"), ("scan.doc", b"no scan\n"),
-                ("empty.xyz", b""), ("short.png", picture[:len(picture) // 2]),
+                ("empty.xyz", b""), ("equal.xyz", b"1 2 3\n" * 50), ("short.png", picture[:len(picture) // 2]),
                 ("changed.png", picture[:200] + b"?" + picture[201:]), ("text.png", b"text"),
                 ("text.jpg", b"text"), ("file", b""), ("jpeg.stl", b"\xff\xd8\xff" + bytes(500)),
                 ("short.stl", stl[:1000]), ("huge.png", huge),
@@ -228,6 +228,7 @@ class TestCommand(unittest.TestCase):
                 (("scan.doc",), "scan.doc: expected a file of type .asc .conf"),
                 (("broken.ply",), "broken.ply: Read the scan: "),
                 (("empty.xyz",), "empty.xyz: Read the scan: "),
+                (("equal.xyz",), "equal.xyz: the points are all equal, so that there is no surface"),
                 ((*good, "--texture", "missing.png"), "missing.png: no such file"),
                 ((*good, "--texture", "short.png"), "short.png: the picture is broken"),
                 ((*good, "--texture", "changed.png"), "changed.png: the picture is broken"),
@@ -251,6 +252,8 @@ class TestCommand(unittest.TestCase):
                 ("--lattice is now --mesh-type", "my scan.vtp", "-o", "x.glb", "--lattice", "adaptive"),
                 ("--view and --up must be finite", "my scan.vtp", "-o", "x.glb", "--view", "0", "2", "0"),
                 ("not parallel", "my scan.vtp", "-o", "x.glb", "--view", "0", "nan", "1"),
+                ("Shape: no such file; the subcommand is shapes", "Shape", "my scan.vtp", "-o", "study"),
+                ("Map: no such file; the subcommand is map", "Map", "my scan.vtp", "-o", "x.tif"),
                 ("x.glb would be written twice", "my scan.vtp", "other.ply", "-o", "x.glb"),
                 ("x.png would be written twice, also as a file that belongs to another one", "my scan.vtp", "-o", "x.obj", "--picture", "x.png"),
                 ("new/ is the name of a folder", "my scan.vtp", "-o", "x.glb", "--report", "new/"),

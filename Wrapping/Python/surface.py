@@ -111,7 +111,7 @@ class Surface:
         """Positions of the points on the unit sphere: n x 3 numbers. Raises KeyError if there is no map."""
         array = self._data.GetPointData().GetArray("SpherePosition")
         if array is None:
-            raise KeyError("SpherePosition")
+            raise KeyError("SpherePosition: the surface has no map to the sphere; make one by conformal_map(surface)")
         return constant(array)
 
     @property

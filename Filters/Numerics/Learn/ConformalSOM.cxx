@@ -311,6 +311,10 @@ ConformalSOMResult trainConformalSOM(const TrainingSamples& samples,
     result.MaximumQuasiConformalError = distortion.MaximumQuasiConformalError;
   }
   result.HasConformalMap = !isGeodesic && result.NumberOfHandles == 0;
+  if (kept.dimension() == 0)
+  {
+    result.Positions.setZero(); // points that are all equal have a place, and no size
+  }
   result.Positions = kept.restoreAll(std::move(result.Positions));
   run.report(1.0);
   return result;

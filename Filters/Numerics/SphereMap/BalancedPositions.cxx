@@ -1,10 +1,13 @@
 #include "SphereMap/BalancedPositions.h"
 
 #include "Base/Steps.h"
+#include "Mesh/GenusZeroCheck.h"
+#include "Mesh/VertexRings.h"
 #include "Sphere/AdaptiveSphere.h"
 #include "Sphere/Resampling.h"
 #include "Sphere/SphereDensity.h"
 #include "Sphere/SphereOrientation.h"
+#include "SphereMap/FlipRepair.h"
 #include "SphereMap/GlobalConformalMap.h"
 
 #include <vector>
@@ -15,13 +18,35 @@ namespace
 {
 // Compromise between cost and detail.
 constexpr Index NumberOfSamples = 8000;
+
+// The interpolated map is linear in the triangles of the samples. Where it bends at their edges, it
+// flips some of the smaller triangles of a surface.
+void removeFlips(Points& positions, const MappedMesh& mesh, const Run& run)
+{
+  const Index size = positions.rows();
+  if (countFlippedTriangles(positions, mesh.Triangles) == 0 ||
+    !checkGenusZero(mesh.Triangles, size).isGenusZero())
+  {
+    return;
+  }
+  std::vector<Vector3> moved(size);
+  for (Index v = 0; v < size; ++v)
+  {
+    moved[v] = positions.row(v);
+  }
+  evenOutFlips(moved, mesh.Triangles, VertexRings(mesh.Triangles, size), run);
+  for (Index v = 0; v < size; ++v)
+  {
+    positions.row(v) = moved[v];
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 Points balancedPositions(const MappedMesh& surface, double areaBalance, const Run& run)
 {
-  // Relative costs of density, samples, positions, map and interpolation.
-  Steps steps(run, { 0.05, 0.25, 0.05, 0.6, 0.05 });
+  // Relative costs of density, samples, positions, map, interpolation and removal of flips.
+  Steps steps(run, { 0.05, 0.25, 0.05, 0.5, 0.05, 0.1 });
   MappedMesh mapped = surface;
   mapped.Triangles = turnedOutward(surface.Triangles, surface.SpherePositions);
   if (mapped.Triangles.rows() > 0 && mapped.Triangles != surface.Triangles)
@@ -43,6 +68,7 @@ Points balancedPositions(const MappedMesh& surface, double areaBalance, const Ru
   Points positions = resample(
     sphere.Positions, map.Positions, sphere.Triangles, mapped.SpherePositions, steps.next());
   positions.rowwise().normalize();
+  removeFlips(positions, mapped, steps.next());
   return positions;
 }
 }

@@ -24,12 +24,50 @@ constexpr double Weakenings[] = { 0.25, 0.5, 1.0, 1.5 };
 constexpr int InsertionRings[] = { 2, 4, 6, 8, 10 };
 constexpr std::size_t MaximumInserted = 300; // the cost grows with the square
 constexpr int EvenSweeps = 2, RelaxationsOfInserted = 20;
+constexpr int EvenRounds = 60, EvenPasses = 5;
 constexpr double WeakestString = 0.05, StrongestString = 20.0; // 0.58 between equilateral triangles
 
 bool isBad(const Vector3& a, const Vector3& b, const Vector3& c, double minimumHeight)
 {
   const double longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
   return !(determinant(a, b, c) >= std::min(MinimumSafeDeterminant, minimumHeight * longest));
+}
+
+// Set the mark of a vertex and append it to ids, unless it has this mark.
+void take(int id, int mark, std::vector<int>& marks, std::vector<int>& ids)
+{
+  if (marks[id] != mark)
+  {
+    marks[id] = mark;
+    ids.push_back(id);
+  }
+}
+
+// Mark and return the vertices of bad triangles and of the given number of rings around them.
+std::vector<int> neighborhood(const std::vector<int>& bad, const Triangles& triangles,
+  const VertexRings& rings, int count, std::vector<int>& marks, int mark)
+{
+  std::vector<int> ids;
+  for (const int r : bad)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      take(triangles(r, k), mark, marks, ids);
+    }
+  }
+  std::size_t begin = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const std::size_t end = ids.size();
+    for (; begin < end; ++begin)
+    {
+      for (const int other : rings[ids[begin]])
+      {
+        take(other, mark, marks, ids);
+      }
+    }
+  }
+  return ids;
 }
 
 class Repair
@@ -52,26 +90,8 @@ public:
   std::vector<std::vector<int>> patches(const std::vector<int>& bad, int rings)
   {
     const int mark = ++this->Mark;
-    std::vector<int> ids;
-    for (int r : bad)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        this->take(this->Triangles(r, k), mark, ids);
-      }
-    }
-    std::size_t begin = 0;
-    for (int i = 0; i < rings; ++i)
-    {
-      const std::size_t end = ids.size();
-      for (; begin < end; ++begin)
-      {
-        for (int other : this->Rings[ids[begin]])
-        {
-          this->take(other, mark, ids);
-        }
-      }
-    }
+    const std::vector<int> ids =
+      neighborhood(bad, this->Triangles, this->Rings, rings, this->Marks, mark);
     std::vector<std::vector<int>> result;
     const int taken = ++this->Mark;
     for (int id : ids)
@@ -203,15 +223,6 @@ private:
     return std::abs(area);
   }
 
-  void take(int id, int mark, std::vector<int>& ids)
-  {
-    if (this->Marks[id] != mark)
-    {
-      this->Marks[id] = mark;
-      ids.push_back(id);
-    }
-  }
-
   bool good(int v) const
   {
     const Ring& ring = this->Rings[v];
@@ -263,7 +274,7 @@ private:
     {
       for (int other : this->Rings[id])
       {
-        this->take(other, mark, ids);
+        take(other, mark, this->Marks, ids);
       }
     }
     const Index size = static_cast<Index>(ids.size()), inner = static_cast<Index>(patch.size());
@@ -423,6 +434,34 @@ bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Tr
       }
       run.report(1.0);
     }
+  }
+  return badTriangles(positions, triangles).empty();
+}
+
+//------------------------------------------------------------------------------
+bool evenOutFlips(std::vector<Vector3>& positions, const Triangles& triangles,
+  const VertexRings& rings, const Run& run)
+{
+  std::vector<int> marks(positions.size(), 0);
+  for (int round = 1; round <= EvenRounds; ++round)
+  {
+    const std::vector<int> bad = badTriangles(positions, triangles);
+    if (bad.empty())
+    {
+      return true;
+    }
+    const std::vector<int> moved = neighborhood(bad, triangles, rings, round, marks, round);
+    for (int pass = 0; pass < EvenPasses; ++pass)
+    {
+      for (const int v : moved)
+      {
+        if (const std::optional<Vector3> place = kernelCentroid(positions, rings[v]))
+        {
+          positions[v] = *place;
+        }
+      }
+    }
+    run.report(static_cast<double>(round) / EvenRounds);
   }
   return badTriangles(positions, triangles).empty();
 }

@@ -1,5 +1,6 @@
 /// Repair flipped triangles of a sphere map (map of a surface to the unit sphere). Vertices near
-/// flipped triangles get new positions by the planar layout of \cite Tutte1963.
+/// flipped triangles get new positions by the planar layout of \cite Tutte1963, or are spread
+/// evenly (own construction).
 
 #ifndef ConformalFlipRepair_h
 #define ConformalFlipRepair_h
@@ -56,6 +57,20 @@ std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Trian
 bool repairFlips(std::vector<Vector3>& positions, const Points& points, const Triangles& triangles,
   const EdgeWeights& strings, const VertexRings& rings, const BoundedTriangles& shapes,
   double minimumHeight = std::numeric_limits<double>::infinity(), const Run& run = {});
+
+/// Move the vertices around bad triangles apart, so that their neighbors get space: each vertex
+/// moves to the centroid of the kernel of its neighbors' polygon, see kernelCentroid(). Vertices
+/// without a kernel wait. Each round moves the vertices of one ring more around the triangles that
+/// are still bad. The result depends on neither angles nor areas of the surface.
+///
+/// For maps that are flipped where few long triangles bend, as those that are interpolated:
+/// repairFlips() needs neighborhoods whose polygons are nearly convex.
+///
+/// @param[in,out] positions  #V unit vectors, the sphere map. Triangles that are not bad do not
+///   become bad.
+/// @return whether no bad triangles remain
+bool evenOutFlips(std::vector<Vector3>& positions, const Triangles& triangles,
+  const VertexRings& rings, const Run& run = {});
 }
 
 #endif

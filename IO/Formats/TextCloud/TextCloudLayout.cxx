@@ -146,8 +146,13 @@ struct Role
   std::size_t Component = 0;
 };
 
-Role roleOf(const std::string& name)
+Role roleOf(std::string name)
 {
+  const std::size_t unit = name.find_first_of("[(");
+  if (unit != std::string::npos && unit > 0)
+  {
+    name = trimmed(name.substr(0, unit), Blanks);
+  }
   static const std::pair<std::string_view, Role> roles[] = { { "x", { "Points", 0 } },
     { "y", { "Points", 1 } }, { "z", { "Points", 2 } }, { "points:0", { "Points", 0 } },
     { "points:1", { "Points", 1 } }, { "points:2", { "Points", 2 } },
@@ -213,14 +218,32 @@ std::vector<std::string> namesFrom(std::string_view line, char delimiter, std::s
   return {};
 }
 
+// Return the number for full brightness of colors in three columns: 255 if all numbers are bytes, 1
+// if they are fractions, and 65535 if they have 16 bits. Other numbers are no colors; return 0.
+double fullColorOf(const Rows& rows, const std::array<std::size_t, 3>& columns)
+{
+  for (const double full : { 255.0, 1.0, 65535.0 })
+  {
+    const auto fits = [&](double v)
+    { return v >= 0.0 && v <= full && (full == 1.0 || v == std::floor(v)); };
+    const bool allFit = std::all_of(rows.begin(), rows.end(),
+      [&](const std::vector<double>& row)
+      {
+        return std::all_of(
+          columns.begin(), columns.end(), [&](std::size_t i) { return fits(row[i]); });
+      });
+    if (allFit)
+    {
+      return full;
+    }
+  }
+  return 0.0;
+}
+
+// Columns without names are colors only if they are bytes: fractions may be anything.
 bool areColors(const Rows& rows, std::size_t first)
 {
-  return std::all_of(rows.begin(), rows.end(),
-    [&](const std::vector<double>& row)
-    {
-      return std::all_of(row.begin() + first, row.begin() + first + 3,
-        [](double v) { return v >= 0.0 && v <= 255.0 && v == std::floor(v); });
-    });
+  return fullColorOf(rows, { first, first + 1, first + 2 }) == 255.0;
 }
 
 // Rows of zeros are black, unless another row is a normal.
@@ -298,15 +321,14 @@ void placeColumns(const std::vector<std::string>& names, const Rows& rows, TextC
     {
       return;
     }
-    const auto fits = [&](const std::vector<double>& row)
+    if (type == ScalarType::UInt8)
     {
-      return std::all_of(members.begin(), end,
-        [&](std::size_t i)
-        { return row[i] >= 0.0 && row[i] <= 255.0 && row[i] == std::floor(row[i]); });
-    };
-    if (type == ScalarType::UInt8 && !std::all_of(rows.begin(), rows.end(), fits))
-    {
-      return;
+      const double full = fullColorOf(rows, members);
+      if (full == 0.0)
+      {
+        return;
+      }
+      layout.FullColor = full;
     }
     for (std::size_t c = 0; c < components; ++c)
     {
@@ -456,7 +478,8 @@ std::string describeNoPoint(std::string_view line, const TextCloudLayout& layout
   if (count == columns)
   {
     return "found " + quoted(line) + " with " + (wrongWord.empty() ? "a wrong number" : wrongWord) +
-      ", expected " + std::to_string(columns) + " numbers";
+      ", expected " + std::to_string(columns) + " numbers" +
+      (line.find('"') == std::string_view::npos ? "" : " without quotation marks");
   }
   const std::string delimiter =
     layout.Delimiter == ' ' ? "" : " between \"" + std::string(1, layout.Delimiter) + "\"";

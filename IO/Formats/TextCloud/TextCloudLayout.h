@@ -18,6 +18,7 @@ struct TextCloudLayout
   bool HasCount = false;     ///< whether the number of points precedes the points
   bool DecimalComma = false; ///< whether commas are decimal marks
   bool HasNames = false;     ///< whether a line, not a comment, contains the names of the columns
+  double FullColor = 255.0;  ///< number for full brightness in columns of colors: 1, 255 or 65535
 
   /// Array and component in which the values of a column are stored.
   struct Column
@@ -62,9 +63,12 @@ public:
 /// the delimiter is a comma. Otherwise, blanks and tabs separate the columns.
 ///
 /// Names of columns are read from a line before the first numbers. This line may be a comment. The
-/// line of names must contain x, y and z, and no name twice. Without names, the first three columns
-/// are x, y and z. The meaning of the columns after z is then found from the number of columns and
-/// the values in the first hundred lines:
+/// line of names must contain x, y and z, and no name twice. A unit in brackets after a name, such
+/// as "x [mm]", does not matter. Columns with names of colors are colors if all values in the first
+/// hundred lines are integers in [0, 255], fractions in [0, 1], or integers in [0, 65535]; the
+/// first case that applies is used. Without names, the first three columns are x, y and z. The
+/// meaning of the columns after z is then found from the number of columns and the values in the
+/// first hundred lines:
 /// - 4 columns: the fourth column is the intensity;
 /// - 6 columns: normals if all of them have length 1 (within 0.01) or 0, and at least one has
 ///   length 1; otherwise colors if all values are integers in [0, 255];

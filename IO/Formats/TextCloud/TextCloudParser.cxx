@@ -219,13 +219,20 @@ private:
         std::memcpy(tuple + column.Component * sizeof(double), &this->Row[i], sizeof(double));
         continue;
       }
-      if (!(this->Row[i] >= 0.0 && this->Row[i] <= 255.0) ||
-        this->Row[i] != std::floor(this->Row[i]))
-      {
-        this->Lines.failExpecting("colors as integers in 0..255 as in the lines before");
-      }
-      tuple[column.Component] = static_cast<unsigned char>(this->Row[i]);
+      tuple[column.Component] = this->byteOf(this->Row[i]);
     }
+  }
+
+  unsigned char byteOf(double color)
+  {
+    const double full = this->Layout.FullColor;
+    if (!(color >= 0.0 && color <= full) || (full > 1.0 && color != std::floor(color)))
+    {
+      this->Lines.failExpecting(std::string("colors as ") +
+        (full > 1.0 ? "integers" : "fractions") + " in 0.." +
+        std::to_string(static_cast<int>(full)) + " as in the lines before");
+    }
+    return static_cast<unsigned char>(std::floor(color * (255.0 / full) + 0.5));
   }
 
   void readCount(std::string_view line)

@@ -100,9 +100,46 @@ TEST(TextCloudParser, ReadsColumnsByTheirNames)
   EXPECT_EQ(namesOf("# made by me\n0 0 0 5\n"), (Names{ "Intensity" }));
   EXPECT_EQ(namesOf("x\ty\tz\tScalar field\n0\t0\t0\t5\n"), (Names{ "Scalar field" }));
   EXPECT_EQ(namesOf("Points:0,Points:1,Points:2,d\n0,0,0,5\n"), (Names{ "d" }));
-  // Colors that are no bytes keep their names, and so do single members.
-  EXPECT_EQ(namesOf("x y z r g b\n0 0 0 0.5 0 1\n"), (Names{ "r", "g", "b" }));
+  // Numbers that are no colors keep their names, and so do single members.
+  EXPECT_EQ(namesOf("x y z r g b\n0 0 0 0.5 0 -1\n"), (Names{ "r", "g", "b" }));
+  EXPECT_EQ(namesOf("x y z r g b\n0 0 0 0.5 0 1\n0 0 0 2 0 1\n"), (Names{ "r", "g", "b" }));
+  EXPECT_EQ(namesOf("x y z r g b\n0 0 0 65536 0 1\n"), (Names{ "r", "g", "b" }));
   EXPECT_EQ(namesOf("x y z nx g\n0 0 0 0.5 1\n"), (Names{ "nx", "g" }));
+}
+
+TEST(TextCloudParser, ReadsColorsAsFractionsAndOf16Bits)
+{
+  const auto expect = [](const std::string& text, const std::vector<std::uint8_t>& colors)
+  {
+    const SurfaceResult result = parse(text);
+    ASSERT_TRUE(result.Status.ok()) << result.Status.text();
+    ASSERT_EQ(result.Data.PointArrays.size(), 1u);
+    ExpectArray<std::uint8_t>(result.Data.PointArrays, "RGB", ScalarType::UInt8, 3, colors);
+  };
+  expect("x,y,z,red,green,blue\n0,0,0,0.5,0,1\n0,0,1,0.1,0.2,0.002\n", { 128, 0, 255, 26, 51, 1 });
+  expect("x y z r g b\n0 0 0 65535 0 257\n0 0 1 32768 128 129\n", { 255, 0, 1, 128, 0, 1 });
+  expect("x y z r g b\n0 0 0 1 0 1\n0 0 1 0 0 1\n", { 1, 0, 1, 0, 0, 1 }); // bytes
+  std::string fractions = "x y z r g b\n", words = fractions;
+  for (int i = 0; i < 120; ++i)
+  {
+    fractions += "0 0 0 0.5 0 1\n";
+    words += "0 0 0 500 0 1\n";
+  }
+  ExpectRefused(
+    fractions + "5 5 5 1.5 0 1\n", ParseCode::Malformed, 122, "colors as fractions in 0..1 as");
+  ExpectRefused(
+    words + "5 5 5 1.5 0 1\n", ParseCode::Malformed, 122, "colors as integers in 0..65535 as");
+}
+
+TEST(TextCloudParser, UnitsAfterNamesDoNotMatter)
+{
+  for (const char* names : { "x [mm],Y [mm],z[mm]", "X (m),y(m),Z (m)", "\"x [mm]\",\"y\",z" })
+  {
+    ExpectPoints(names + std::string("\n1,2,3\n"), { 1, 2, 3 });
+  }
+  ExpectRefused("[x],y,z\n1,2,3\n", ParseCode::UnrecognizedType, 1, "names of the 3 columns");
+  ExpectRefused(
+    "x [m],x [mm],z\n1,2,3\n", ParseCode::UnrecognizedType, 1, "names of the 3 columns");
 }
 
 TEST(TextCloudParser, NamesOfColumnsAreThereOnce)
@@ -214,6 +251,8 @@ TEST(TextCloudParser, NamesWhatIsWrongWithALine)
     "with 2 columns, expected 3 columns between \";\" as in the first line of numbers");
   ExpectRefused(
     "x,y,z\n1,2,3\n1,,3\n", ParseCode::Malformed, 3, "with \"\" in column 2, expected 3 numbers");
+  ExpectRefused("x,y,z\n\"1\",\"2\",\"3\"\n", ParseCode::Malformed, 2,
+    "in column 1, expected 3 numbers without quotation marks");
   ExpectRefused("2\n1 2 3\n1 2 3 4\n", ParseCode::Malformed, 3, "with 4 columns, expected 3");
   ExpectRefused("2\ncomment\n1 2 3\n1 2 4\n", ParseCode::UnrecognizedType, 2, "comment");
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 using conformal::balancedPositions;
 using conformal::Index;
@@ -19,16 +20,16 @@ using conformal::Vector3;
 namespace
 {
 // Sphere with a limb along z, which is small in the radial map.
-MappedMesh makeLimb()
+MappedMesh makeLimb(int frequency = 40, double length = 4.0)
 {
-  const auto sphere = conformal::makeGeodesicSphere(40);
+  const auto sphere = conformal::makeGeodesicSphere(frequency);
   MappedMesh mesh;
   mesh.Triangles = sphere.Triangles;
   mesh.SpherePositions = mesh.Positions = sphere.Positions;
   for (Index v = 0; v < mesh.Positions.rows(); ++v)
   {
     const double z = mesh.Positions(v, 2);
-    mesh.Positions(v, 2) = z + 4.0 * std::pow(std::max(z, 0.0), 12.0);
+    mesh.Positions(v, 2) = z + length * std::pow(std::max(z, 0.0), 12.0);
   }
   return mesh;
 }
@@ -66,7 +67,19 @@ TEST(BalancedPositions, GiveLimbsTheirShareWithoutFolds)
   EXPECT_GT(starvedShare(mesh, mesh.SpherePositions), 0.1);
   EXPECT_LT(starvedShare(mesh, map), 0.01);
   EXPECT_LT((map.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-12);
-  EXPECT_LE(conformal::countFlippedTriangles(map, mesh.Triangles), mesh.Triangles.rows() / 1000);
+  EXPECT_EQ(conformal::countFlippedTriangles(map, mesh.Triangles), 0);
+}
+
+// Interpolated in the triangles of the samples alone, these maps flip triangles.
+TEST(BalancedPositions, FlipNoTriangle)
+{
+  for (const auto& [frequency, length] :
+    { std::pair(80, 4.0), std::pair(40, 20.0), std::pair(80, 20.0) })
+  {
+    const MappedMesh mesh = makeLimb(frequency, length);
+    const Points map = balancedPositions(mesh, 0.5);
+    EXPECT_EQ(conformal::countFlippedTriangles(map, mesh.Triangles), 0) << frequency << length;
+  }
 }
 
 // A map that reverses orientation has no other balance.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 using conformal::Index;
@@ -127,4 +128,31 @@ TEST_F(FlipRepair, GivesUpWhereAllIsFolded)
     place = -place;
   }
   EXPECT_FALSE(this->repair());
+}
+
+TEST_F(FlipRepair, EvensOutAPatchThatIsShaken)
+{
+  const Vector3 pole = this->Positions[40];
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> shift(-0.06, 0.06); // edges are about 0.07 long
+  for (Vector3& place : this->Positions)
+  {
+    if ((place - pole).norm() < 0.4)
+    {
+      place = (place + Vector3(shift(random), shift(random), shift(random))).normalized();
+    }
+  }
+  ASSERT_GT(this->bad(), 10u);
+  EXPECT_TRUE(conformal::evenOutFlips(this->Positions, this->Sphere.Triangles, this->Rings));
+  EXPECT_EQ(this->bad(), 0u);
+  EXPECT_LT(this->maximumDistance(), 0.15);
+}
+
+TEST_F(FlipRepair, EvensNothingOutWhereAllIsFolded)
+{
+  for (Vector3& place : this->Positions)
+  {
+    place = -place;
+  }
+  EXPECT_FALSE(conformal::evenOutFlips(this->Positions, this->Sphere.Triangles, this->Rings));
 }

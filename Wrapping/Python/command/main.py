@@ -1,6 +1,7 @@
 """The command conformalsom: from scans to painted surfaces."""
 import argparse
 import contextlib
+import difflib
 import importlib
 import json
 import os
@@ -40,6 +41,7 @@ exit status:
   2  wrong usage, no file was written. Also if an output file exists, cannot be written, or is an input
   Ctrl-C ends the command by the signal; unfinished files are removed."""
 
+SUBCOMMANDS = {"map": ".maps", "movie": ".movie", "shapes": ".shapes"}  # and their modules
 LARGEST = 10000002  # number of points of a geodesic sphere
 MINIMUM_POINTS = 500  # of an adaptive sphere
 
@@ -137,6 +139,7 @@ def arguments(argv):
 
 def plan_of(options):
     """The files to write for each scan, after a look at whether the call makes sense."""
+    expect_no_subcommand(options.scans[0])
     if not (options.output or options.picture or options.report or options.measure):
         raise WrongUsage("there is nothing to do: use --output, --picture, --report or --measure")
     expect_directions(options.view, options.up)
@@ -151,6 +154,13 @@ def plan_of(options):
     if options.picture and not pictures.can_draw():
         raise WrongUsage("--picture needs a display: put xvfb-run before the command")
     return all_paths
+
+
+def expect_no_subcommand(scan):
+    """Raise WrongUsage if the first scan is no file, and nearly the name of a subcommand."""
+    near = difflib.get_close_matches(scan.lower(), SUBCOMMANDS, 1, 0.7)
+    if near and not os.path.splitext(scan)[1] and not os.path.exists(scan):
+        raise WrongUsage(f"{scan}: no such file; the subcommand is {near[0]}")
 
 
 def complain(text):
@@ -215,7 +225,7 @@ def main(argv=None):
     """Run the command; returns the exit status."""
     argv = sys.argv[1:] if argv is None else list(argv)
     occupy_standard_streams()
-    if argv[:1] in (["shapes"], ["map"], ["movie"]):
+    if argv[:1] in ([name] for name in SUBCOMMANDS):
         return subcommand(argv)
     return guarded(lambda bar: surfaces_of(argv, bar))
 
@@ -233,7 +243,7 @@ def surfaces_of(argv, bar):
 def subcommand(argv):
     """Run shapes, map or movie, which need classes that a build may leave out; returns the exit status."""
     try:
-        chosen = importlib.import_module({"map": ".maps", "movie": ".movie", "shapes": ".shapes"}[argv[0]], __package__)
+        chosen = importlib.import_module(SUBCOMMANDS[argv[0]], __package__)
     except ImportError as error:
         complain(f"{argv[0]}: {error}")
         return 1

@@ -20,7 +20,10 @@ MAXIMUM_ROUNDS = 5  # to reach a number of points
 OPTIONS = {  # of the command, for properties in messages
     "set Border to CLOSED": "use --closed", "Border OPEN": "--open",
     "set Border to Automatic or Closed, or TrainingMode to Batch and MeshType to Automatic or Adaptive":
-    "leave out --open or --mesh-type"}
+    "leave out --open or --mesh-type",
+    ", or with another StartingShape or HullMethod of vtkConformalSOM": " (--neurons)",
+    ", or with a larger Smoothness of vtkConformalSOM": " (--neurons)",
+    "set AreaBalance to 0": "use --texture-map conformal"}
 ROUNDS_END = 0.01  # share of the number by which it may differ
 
 
@@ -215,6 +218,9 @@ def make_surface(task, texture, options, steps):
     _, points = scan_files.read(scan_path, steps)
     if points.GetNumberOfPoints() == 0:
         raise ValueError(f"{scan_path}: no points found")
+    bounds = points.GetPoints().GetBounds()
+    if bounds[::2] == bounds[1::2]:
+        raise ValueError(f"{scan_path}: the points are all equal, so that there is no surface")
     scan_files.note_shift(points, steps)
     scan = vtkTrivialProducer()
     scan.SetOutput(points)
@@ -227,7 +233,7 @@ def make_surface(task, texture, options, steps):
     all_around = colors is not None or options.normal_map
     projection = projection_for(network, all_around)
     painted = texture_map(surface, options, projection)
-    steps.run("Lay the texture", painted)
+    steps.run("Lay the texture", painted, reworded=OPTIONS)
 
     mesh, result = network, painted
     if options.measure or options.report:
