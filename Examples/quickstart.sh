@@ -36,6 +36,7 @@ else
     shift
   fi
 fi
+echo "Writing quickstart.png and surface.vtp, .glb, .obj and .html into $output"
 exec "${display[@]}" "$root/build/release/bin/conformalsom" "${inputs[@]}" --measure --overwrite \
   --output "$output/surface.vtp" --output "$output/surface.glb" --output "$output/surface.obj" \
   --output "$output/surface.html" \

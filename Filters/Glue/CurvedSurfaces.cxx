@@ -170,9 +170,9 @@ std::shared_ptr<const BuiltSurface> BuildSurface(const CurvedSeamlessProperties&
   if (degenerate > 0 && processes.isFirst())
   {
     vtkWarningWithObjectMacro(
-      self, << degenerate
-            << " triangles of the surface are degenerate: they have no shape and are mapped "
-               "affinely, or would turn over and are flattened");
+      self, << degenerate << " of " << built->Surface.triangles().rows()
+            << " triangles of the mesh have no shape, or would turn over. The surface is flat "
+               "there, see array Degenerate");
   }
   return built;
 }

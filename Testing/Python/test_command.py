@@ -490,7 +490,10 @@ class TestScripts(unittest.TestCase):
                              env={**os.environ, "PATH": os.path.join(folder, "bin") + ":" + os.environ["PATH"]},
                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
         self.assertEqual((run.returncode, run.stderr), (0, ""))
-        return run.stdout.splitlines()[1:]
+        _, writing, *called = run.stdout.splitlines()
+        self.assertEqual(writing, "Writing quickstart.png and surface.vtp, .glb, .obj and .html into "
+                         + os.path.join(folder, "build", "quickstart"))
+        return called
 
     def test_quickstart_gives_the_command_scan_texture_and_options(self):
         for arguments, first, bear in (

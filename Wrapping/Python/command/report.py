@@ -47,5 +47,5 @@ def print_table(scan, mesh, surface, seconds):
               f"{p2s:>10.2e}{nv:>10.2e}{s2p:>10.2e}{web:>8.2%}{angle:>8.2f}")
     print("p2s, nv, s2p: mean square distance from the scan's points to the model, from them to its\n"
           "nearest vertex, and from the model to the scan; the scan's largest radius is 1.\n"
-          "web: share of the model's area that is farther than 0.02 from the scan.\n"
+          "web: share of the model's area that is farther than 0.02 from the scan, also between points that are sparse.\n"
           "angle: mean change of an angle on the way to the sphere, in degrees.")
