@@ -12,6 +12,7 @@ and is none, and any exception but wrong usage and errors of the system. The exi
 as if every scan were a single file, and the status is 0 only if that is found to be bad.
 """
 import argparse
+import contextlib
 import os
 import random
 import shutil
@@ -177,14 +178,14 @@ class Case:
 
 
 def state_of(path):
-    """What must not change of a file: its place, mode and content; nothing if there is none."""
+    """What must not change of a file: its place, mode, time and content, if it may be read; nothing if there is none."""
     try:
         status = os.stat(path)
     except OSError:
         return None
     content = b""
     if stat.S_ISREG(status.st_mode):
-        with open(path, "rb") as file:
+        with contextlib.suppress(PermissionError), open(path, "rb") as file:
             content = file.read()
     return status.st_ino, status.st_mode, status.st_mtime_ns, content
 
