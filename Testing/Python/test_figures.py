@@ -14,7 +14,6 @@ sys.path.insert(0, os.path.dirname(SCRIPT))
 import check_figures  # noqa: E402 pylint: disable=wrong-import-position
 
 
-
 def has_history():
     """Whether git names the commit of this folder, as it does not for an archive."""
     return shutil.which("git") is not None and subprocess.run(

@@ -224,13 +224,11 @@ double fullColorOf(const Rows& rows, const std::array<std::size_t, 3>& columns)
 {
   for (const double full : { 255.0, 1.0, 65535.0 })
   {
-    const auto fits = [&](double v)
-    { return v >= 0.0 && v <= full && (full == 1.0 || v == std::floor(v)); };
     const bool allFit = std::all_of(rows.begin(), rows.end(),
       [&](const std::vector<double>& row)
       {
         return std::all_of(
-          columns.begin(), columns.end(), [&](std::size_t i) { return fits(row[i]); });
+          columns.begin(), columns.end(), [&](std::size_t i) { return isColor(row[i], full); });
       });
     if (allFit)
     {
@@ -437,6 +435,12 @@ std::vector<std::string> statedNames(const Sample& sample, char delimiter, std::
   }
   return names;
 }
+}
+
+//------------------------------------------------------------------------------
+bool isColor(double value, double fullColor)
+{
+  return value >= 0.0 && value <= fullColor && (fullColor == 1.0 || value == std::floor(value));
 }
 
 //------------------------------------------------------------------------------

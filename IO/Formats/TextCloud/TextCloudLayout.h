@@ -33,6 +33,11 @@ struct TextCloudLayout
   bool AllLinesFit = false;       ///< whether each examined line is a point; false without lines
 };
 
+/// Test whether a number is a component of a color: a fraction if fullColor is 1, otherwise an
+/// integer.
+/// @param[in] fullColor  number for full brightness, see TextCloudLayout::FullColor
+bool isColor(double value, double fullColor);
+
 /// Test whether a line is blank or a comment after #, // or ;.
 bool isIgnoredLine(std::string_view line);
 

@@ -226,7 +226,7 @@ private:
   unsigned char byteOf(double color)
   {
     const double full = this->Layout.FullColor;
-    if (!(color >= 0.0 && color <= full) || (full > 1.0 && color != std::floor(color)))
+    if (!isColor(color, full))
     {
       this->Lines.failExpecting(std::string("colors as ") +
         (full > 1.0 ? "integers" : "fractions") + " in 0.." +

@@ -78,7 +78,8 @@ TEST(BalancedPositions, FlipNoTriangle)
   {
     const MappedMesh mesh = makeLimb(frequency, length);
     const Points map = balancedPositions(mesh, 0.5);
-    EXPECT_EQ(conformal::countFlippedTriangles(map, mesh.Triangles), 0) << frequency << length;
+    EXPECT_EQ(conformal::countFlippedTriangles(map, mesh.Triangles), 0)
+      << frequency << " " << length;
   }
 }
 

@@ -225,7 +225,7 @@ def main(argv=None):
     """Run the command; returns the exit status."""
     argv = sys.argv[1:] if argv is None else list(argv)
     occupy_standard_streams()
-    if argv[:1] in ([name] for name in SUBCOMMANDS):
+    if argv and argv[0] in SUBCOMMANDS:
         return subcommand(argv)
     return guarded(lambda bar: surfaces_of(argv, bar))
 
