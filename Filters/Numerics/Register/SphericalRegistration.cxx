@@ -37,17 +37,10 @@ public:
   // Return whether no triangle is flipped.
   bool operator()(Points& places) const
   {
-    std::vector<Vector3> positions(places.rows());
-    for (Index v = 0; v < places.rows(); ++v)
-    {
-      positions[v] = places.row(v);
-    }
+    std::vector<Vector3> positions = toVectors(places);
     repairFlips(positions, this->Surface.Positions, this->Surface.Triangles, this->Strings,
       this->Rings, this->Shapes);
-    for (Index v = 0; v < places.rows(); ++v)
-    {
-      places.row(v) = positions[v];
-    }
+    places = toPoints(positions);
     return countFlippedTriangles(places, this->Surface.Triangles) == 0;
   }
 

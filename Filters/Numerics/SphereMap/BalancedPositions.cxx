@@ -29,16 +29,9 @@ void removeFlips(Points& positions, const MappedMesh& mesh, const Run& run)
   {
     return;
   }
-  std::vector<Vector3> moved(size);
-  for (Index v = 0; v < size; ++v)
-  {
-    moved[v] = positions.row(v);
-  }
+  std::vector<Vector3> moved = toVectors(positions);
   evenOutFlips(moved, mesh.Triangles, VertexRings(mesh.Triangles, size), run);
-  for (Index v = 0; v < size; ++v)
-  {
-    positions.row(v) = moved[v];
-  }
+  positions = toPoints(moved);
 }
 }
 

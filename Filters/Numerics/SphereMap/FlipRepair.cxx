@@ -362,6 +362,28 @@ private:
 }
 
 //------------------------------------------------------------------------------
+std::vector<Vector3> toVectors(const Points& points)
+{
+  std::vector<Vector3> result(points.rows());
+  for (Index v = 0; v < points.rows(); ++v)
+  {
+    result[v] = points.row(v);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+Points toPoints(const std::vector<Vector3>& vectors)
+{
+  Points result(static_cast<Index>(vectors.size()), 3);
+  for (Index v = 0; v < result.rows(); ++v)
+  {
+    result.row(v) = vectors[v];
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles)
 {
   std::vector<int> bad;

@@ -23,6 +23,12 @@ constexpr double MinimumSafeDeterminant = 1e-14;
 /// Parameters of SphereEnergy for an energy that depends on angles only, not on areas.
 constexpr SphereEnergy AnglesOnly = { 0.0, 0.0, 1, 0.0 };
 
+/// Copy sphere positions from rows to vectors, for repairs.
+std::vector<Vector3> toVectors(const Points& points);
+
+/// Copy sphere positions from vectors to rows.
+Points toPoints(const std::vector<Vector3>& vectors);
+
 /// Return the ids of the bad triangles in ascending order. A triangle is bad if its determinant is
 /// below MinimumSafeDeterminant, and its height below MinimumSafeHeight.
 std::vector<int> badTriangles(const std::vector<Vector3>& positions, const Triangles& triangles);

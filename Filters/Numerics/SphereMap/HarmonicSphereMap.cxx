@@ -33,26 +33,6 @@ constexpr double MaximumBadShare = 0.06;
 // Minimum area ratio around a puncture; a lower ratio means that the puncture is on a limb
 constexpr double LimbShare = 0.01;
 
-std::vector<Vector3> toVector(const Points& points)
-{
-  std::vector<Vector3> result(points.rows());
-  for (Index v = 0; v < points.rows(); ++v)
-  {
-    result[v] = points.row(v);
-  }
-  return result;
-}
-
-Points toPoints(const std::vector<Vector3>& vectors)
-{
-  Points result(static_cast<Index>(vectors.size()), 3);
-  for (Index v = 0; v < result.rows(); ++v)
-  {
-    result.row(v) = vectors[v];
-  }
-  return result;
-}
-
 // Sheet whose double is mapped. Vertices and triangles of the sheet precede those of its mirror
 // image.
 struct Half
@@ -216,7 +196,7 @@ private:
         steps.next();
         this->mirror(map.Positions);
         this->center(map.Positions);
-        map.OneToOne = badTriangles(toVector(map.Positions), this->Triangles).empty();
+        map.OneToOne = badTriangles(toVectors(map.Positions), this->Triangles).empty();
       }
     }
     catch (const NumericalFailure&)
@@ -229,7 +209,7 @@ private:
   // Remove folds and relax triangles. Return false if too many triangles are bad, or folds remain.
   bool improve(HarmonicSphereMap& map, const Run& run) const
   {
-    std::vector<Vector3> positions = toVector(map.Positions);
+    std::vector<Vector3> positions = toVectors(map.Positions);
     const double bad = static_cast<double>(badTriangles(positions, this->Triangles).size());
     if (bad > 10.0 + MaximumBadShare * static_cast<double>(this->Triangles.rows()))
     {
